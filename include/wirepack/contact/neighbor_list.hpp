@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "wirepack/core/types.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+struct EdgePair {
+  Index first, second;  ///< first < second
+};
+
+/// Which pairs of edges may touch.
+struct ContactRange {
+  double touching_distance;    ///< 2 a
+  double edge_length;          ///< l
+  double excluded_arc_length;  ///< nearer neighbours along the wire do not touch
+};
+
+/// Smallest difference of edge numbers that may touch. Never below three edges: the extended lines
+/// of nearer edges of a bent wire meet within the support of the contact kernel.
+Index first_touching_neighbor(const ContactRange& range);
+
+/// All pairs of edges whose lines, extended by one edge length to both sides (the support of the
+/// contact kernel), come within touching distance plus a skin; from a cell grid. Pairs are sorted.
+/// A superset of the touching pairs as long as `covers` holds, so it changes cost, never values.
+class NeighborList {
+ public:
+  NeighborList() = default;
+  NeighborList(const RodState& state, const ContactRange& range, double skin);
+
+  /// No node has moved so far that a pair outside the list could touch.
+  bool covers(const RodState& state) const;
+  std::span<const EdgePair> pairs() const { return pairs_; }
+
+ private:
+  std::vector<EdgePair> pairs_;
+  Points built_at_;
+  double allowed_move_ = 0;
+};
+
+/// Pairs of edges with midpoints within `reach`, edge numbers at least `separation` apart (also
+/// around a closed rod); sorted.
+std::vector<EdgePair> near_edges(const RodState& state, double reach, Index separation);
+
+}  // namespace wirepack

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <concepts>
+#include <string_view>
+
+#include "wirepack/energy/curvature_model.hpp"
+#include "wirepack/energy/gradient.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+/// An energy of a state. `add_gradient` returns the energy and adds its exact derivatives, the
+/// explicit one by the inlet rest length included; `add_curvature` adds a positive semidefinite
+/// model of the second derivative. A term sees no solver and no unknowns. A new term comes with:
+/// a closed form, a gradient check against differences, and invariance under rigid motion.
+template <class T>
+concept EnergyTerm = requires(const T& term, const RodState& state, Gradient& gradient,
+                              CurvatureModel& model) {
+  { T::name } -> std::convertible_to<std::string_view>;
+  { term.add_gradient(state, gradient) } -> std::same_as<double>;
+  term.add_curvature(state, model);
+};
+
+/// A term that keeps something it finds out about states (a neighbor list) brings it up to date
+/// here, before it is evaluated. This may change the cost of an evaluation, never its value.
+template <class T>
+concept PreparedTerm = requires(T& term, const RodState& state) {
+  term.prepare(state);
+};
+
+}  // namespace wirepack

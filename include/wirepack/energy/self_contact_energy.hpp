@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "wirepack/contact/line_contact.hpp"
+#include "wirepack/contact/neighbor_list.hpp"
+#include "wirepack/energy/energy_term.hpp"
+
+namespace wirepack {
+
+/// A touch of two edges with the force it carries.
+struct SelfContact {
+  EdgePair edges;
+  LineContact line;
+  double overlap;  ///< 2 a - distance [length]
+  double force;    ///< on each strand, along the separation [force]
+};
+
+/// How strands repel.
+struct ContactParams {
+  double stiffness =
+      5;  ///< k per length of two parallel strands and per overlap [force / length^2]
+  double excluded_arc_length = pi;  ///< neighbours along the wire nearer than this do not touch
+};
+
+/// Linear repulsion between strands: k l / 2 overlap^2 for each pair of touching edges, shared
+/// without bumps by the kernel of line_contact.hpp. The force per length of two parallel strands
+/// is k overlap for any mesh; a single crossing has the stiffness 1.02 .. 1.03 k l.
+class SelfContactEnergy {
+ public:
+  static constexpr std::string_view name = "contact";
+  SelfContactEnergy(const RodParams& params, const ContactParams& contact);
+  void prepare(const RodState& state);
+  double add_gradient(const RodState& state, Gradient& gradient) const;
+  void add_curvature(const RodState& state, CurvatureModel& model) const;
+  std::vector<SelfContact> contacts(const RodState& state) const;
+
+ private:
+  ContactRange range_;
+  LineKernel kernel_;
+  double skin_;
+  NeighborList list_;
+};
+
+}  // namespace wirepack

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "wirepack/feed/nozzle.hpp"
+#include "wirepack/rod/rod_params.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+/// Feeds wire: the rest length of the inlet edge grows by `arc_length`, and every other node starts
+/// where it was. The inlet edge is left compressed, for the minimizer to relax.
+void insert(RodState& state, double arc_length);
+
+/// The inlet edge has grown so far that it is to be split: 3/2 of the edge length.
+bool split_is_due(const RodState& state, const RodParams& params);
+
+/// Splits the inlet edge: an edge of rest length edge_length, and the rest of it as the new inlet
+/// edge. The new node lies on the curve through the neighbouring nodes (cubic Hermite, with the
+/// nozzle's direction at the clamp), frames share the twist out in proportion; minimize again before
+/// energies are compared.
+void split_inlet(RodState& state, const Nozzle& nozzle, const RodParams& params);
+
+}  // namespace wirepack

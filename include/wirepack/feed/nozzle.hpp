@@ -1,0 +1,32 @@
+#pragma once
+
+#include "wirepack/contact/cavity.hpp"
+#include "wirepack/core/types.hpp"
+#include "wirepack/rod/frame_chart.hpp"
+#include "wirepack/rod/rod_params.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+/// Rotation of the wire about its axis in the nozzle.
+enum class TwistCondition { free, locked };
+
+/// A straight nozzle: a clamp at a fixed place. The wire leaves it along -direction, since tangents
+/// point from the tip to the nozzle.
+struct Nozzle {
+  Vec3 position;   ///< of the clamped node
+  Vec3 direction;  ///< unit tangent of the wire in the nozzle
+  TwistCondition twist = TwistCondition::free;
+};
+
+/// The nozzle of a sphere: at (0, 0, R - a), where a clamped node just touches the wall, along the
+/// inward normal.
+Nozzle polar_nozzle(const SphericalCavity& cavity, double wire_radius, TwistCondition twist);
+
+/// What the nozzle holds: the node at the clamp, and the rotation of its frame when locked.
+HeldUnknowns held_by(const Nozzle& nozzle, const RodState& state);
+
+/// A straight, untwisted wire of two edges of rest length `edge_length` at the nozzle.
+RodState initial_wire(const Nozzle& nozzle, const RodParams& params);
+
+}  // namespace wirepack

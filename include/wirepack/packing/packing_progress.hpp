@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "wirepack/packing/history.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+/// int F dL against the energy: work = energy + released + remeshing + residue.
+struct WorkBalance {
+  double work = 0;       ///< trapezoidal sum of the explicit force over the inserted length
+  double released = 0;   ///< lost in snaps
+  double remeshing = 0;  ///< energy that splits of the inlet edge have taken away (may be < 0)
+};
+
+/// Density at which the force first went through a level; phi_max at any threshold can be read off
+/// afterwards. Levels are decades and half-decades (1, sqrt(10), 10, ...).
+struct ForceCrossing {
+  double level;
+  double packing_density;
+};
+
+/// Everything a run needs to go on, bit for bit, from the last accepted increment.
+struct PackingProgress {
+  RodState rod;
+  HistoryRow last;  ///< of the last accepted increment; zeros at the start
+  WorkBalance balance;
+  std::uint64_t random_state = 0;  ///< of the perturbations
+  double substep = 1;              ///< part of an increment that is taken at a time, 2^-k
+  double last_frame_density = -1;
+  std::vector<ForceCrossing> scaled_crossings;    ///< of F R^2 / YI
+  std::vector<ForceCrossing> absolute_crossings;  ///< of F / (Y a^2)
+  std::int64_t snaps = 0;
+  std::int64_t rollbacks = 0;  ///< increments repeated in halves: no convergence, or a passage
+};
+
+}  // namespace wirepack

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wirepack/contact/cavity.hpp"
+#include "wirepack/energy/self_contact_energy.hpp"
+#include "wirepack/feed/nozzle.hpp"
+#include "wirepack/rod/rod_params.hpp"
+#include "wirepack/solve/equilibrium.hpp"
+
+namespace wirepack {
+
+struct InsertionOptions {
+  double increment = 0.5;      ///< wire fed between two equilibria [length]
+  double perturbation = 2e-3;  ///< random displacement of the free nodes, over the wire radius,
+                               ///< before each minimization until the first coil exists
+};
+
+/// The first limit that is reached ends the run; at least one is set.
+struct StopLimits {
+  std::optional<double> scaled_force;  ///< F R^2 / YI
+  std::optional<double> force;         ///< F / (Y a^2)
+  std::optional<double> density;       ///< phi
+  std::optional<double> length;        ///< inserted length [length]
+  std::optional<std::int64_t> increments;
+};
+
+struct OutputOptions {
+  double frame_every_density = 0.01;     ///< phi between saved frames
+  double checkpoint_every_seconds = 30;  ///< the file is at most this old
+};
+
+enum class Setup { low_torsion, high_torsion };
+
+/// Everything that defines a quasi-static run. The same scenario gives the same bits.
+struct Scenario {
+  Setup setup = Setup::low_torsion;
+  std::uint64_t seed = 1;
+  RodParams wire;
+  SphericalCavity cavity;
+  double wall_stiffness = 5;  ///< force per length of wire and per overlap [force / length^2]
+  TwistCondition nozzle_twist = TwistCondition::free;
+  bool contact_enabled = true;
+  ContactParams contact;
+  InsertionOptions insertion;
+  StopLimits stop;
+  MinimizerOptions minimizer;
+  OutputOptions output;
+};
+
+/// The scenario of the paper's setup in a sphere of radius R, every other value at its default:
+/// low torsion is a straight wire free to rotate in the nozzle, high torsion a wire of rest
+/// curvature 1 / (2 R) whose rotation is blocked. Edges are R / 10 long, but a/2 at least and 2 a
+/// at most, increments half an edge, stiffnesses of contacts are Y, and the run ends at
+/// F R^2 / YI = 10.
+Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius = 1,
+                          double youngs_modulus = 5);
+
+/// Every impossible value as "key = value: what is allowed"; empty when the scenario is valid.
+std::vector<std::string> problems(const Scenario& scenario);
+
+}  // namespace wirepack

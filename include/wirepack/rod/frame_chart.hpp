@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "wirepack/core/types.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+/// Coordinates and frame angles that keep their value.
+struct HeldUnknowns {
+  std::vector<bool> coordinate;  ///< 3 N: x, y, z of each node
+  std::vector<bool> angle;       ///< one per frame: rotation about its own tangent
+
+  static HeldUnknowns none(const RodState& state);
+  void hold_node(Index node);
+};
+
+/// Flat unknowns x <-> state: positions, and for each frame its twist angle relative to the frame
+/// that parallel transport from the reference tangent t0 gives (Bergou et al. 2010). The spin of
+/// an edge frame is t x dt + t (d theta - (t0 x t).dt / (1 + t0.t)), exact for any x; t0 = -t is
+/// singular, so make a new chart before an edge has turned far.
+///
+/// Unknowns are numbered along the wire, in slots of four per node: x, y, z, angle of the edge that
+/// starts there; the last clamp takes the free slot of the last node, the first clamp comes last.
+class FrameChart {
+ public:
+  FrameChart(RodState reference, const HeldUnknowns& held);
+
+  Index size() const { return size_; }
+  const RodState& reference() const { return reference_; }
+
+  /// Place of slot 0..3 of a node among the unknowns, -1 when held; node N is the first clamp.
+  Index unknown(Index node, int slot) const {
+    return number_[static_cast<std::size_t>(4 * node + slot)];
+  }
+  /// Nodes, plus one for the first clamp: the number of blocks of four slots.
+  Index block_count() const { return reference_.node_count() + 1; }
+  /// Block of four that holds the angle of a frame (slot 3).
+  Index angle_block(Index frame) const;
+
+  /// x of the reference.
+  Eigen::VectorXd unknowns() const;
+  /// State at x; `out` must be a copy of the reference or a former result (its memory is reused).
+  void set_state(const Eigen::VectorXd& x, RodState& out) const;
+  /// Derivative by x from derivatives by nodes (3 x N) and spins (3 x frames) at `state`.
+  void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
+                 Eigen::VectorXd& out) const;
+
+ private:
+  RodState reference_;
+  std::vector<Index> number_;
+  Points reference_tangents_;
+  Index size_ = 0;
+};
+
+}  // namespace wirepack

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/rod/frame_chart.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+struct MinimizerOptions {
+  double tolerance = 1e-4;      ///< largest gradient component at rest, over YI / R^2
+  int max_evaluations = 20000;  ///< per equilibrium
+  int memory = 20;              ///< vector pairs of L-BFGS
+  int refactor_every = 50;      ///< evaluations with one factor of the curvature model
+  double shift = 1e-6;          ///< added to the curvature model's diagonal, over YI
+};
+
+/// What counts as rest and how it is looked for, in the units of the energy.
+struct EquilibriumOptions {
+  double force_tolerance;   ///< on components of dE/dr
+  double moment_tolerance;  ///< on dE/d(angle)
+  double shift;             ///< on the curvature model's diagonal
+  MinimizerOptions method;  ///< evaluations, memory, refactoring
+};
+
+enum class EquilibriumEnd { converged, evaluation_limit, stalled };
+
+struct EquilibriumReport {
+  EquilibriumEnd end = EquilibriumEnd::stalled;
+  double energy = 0;
+  double residual = 0;            ///< largest gradient component over its tolerance; <= 1 at rest
+  double inlet_length_force = 0;  ///< explicit dE/d(inlet_rest_length): the injection force
+  int evaluations = 0;
+  int factorizations = 0;
+};
+
+/// Moves `state` to a local minimum of the energy: L-BFGS in variables preconditioned by a factor
+/// of the curvature model; the factor and the chart are renewed in rounds. Judged by the gradient
+/// alone. `state` is the best point found, also when it has not converged.
+/// Throws NumericalFailure if even the start has no finite energy.
+EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
+                                    const EnergyFunctions& energy,
+                                    const EquilibriumOptions& options);
+
+}  // namespace wirepack

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+
+#include "wirepack/core/types.hpp"
+
+namespace wirepack {
+
+/// Cholesky factor P = L L^T (up to a fill-reducing permutation) of a curvature model, as a change
+/// of variables x = x0 + L^-T y: minimizing over y with the gradient L^-1 g is the preconditioned
+/// minimization over x. Factored by CHOLMOD.
+class Preconditioner {
+ public:
+  /// `lower` is the lower triangle of a positive definite matrix. Throws NumericalFailure if not.
+  explicit Preconditioner(const Eigen::SparseMatrix<double>& lower);
+  ~Preconditioner();
+  Preconditioner(Preconditioner&&) noexcept;
+  Preconditioner& operator=(Preconditioner&&) noexcept;
+
+  /// x - x0 = L^-T y.
+  void to_step(const Eigen::VectorXd& y, Eigen::VectorXd& step);
+  /// Gradient by y from the gradient by x: L^-1 g.
+  void to_gradient(const Eigen::VectorXd& by_x, Eigen::VectorXd& by_y);
+  /// Nonzeros of the factor.
+  double factor_size() const;
+
+ private:
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
+};
+
+}  // namespace wirepack

@@ -1,0 +1,54 @@
+#include "wirepack/feed/feeder.hpp"
+
+#include "wirepack/core/rotation.hpp"
+#include "wirepack/rod/rod_strain.hpp"
+
+namespace wirepack {
+
+void insert(RodState& state, double arc_length) { state.inlet_rest_length += arc_length; }
+
+bool split_is_due(const RodState& state, const RodParams& params) {
+  return state.inlet_rest_length >= 1.5 * params.edge_length * (1 - 1e-12);
+}
+
+void split_inlet(RodState& state, const Nozzle& nozzle, const RodParams& params) {
+  const Index last = state.node_count() - 1;
+  const double inlet = state.inlet_rest_length - params.edge_length;
+  const Vec3 a = state.nodes.col(last - 1);
+  const Vec3 b = state.nodes.col(last);
+  const double chord = (b - a).norm();
+  // The tangent at a is the mean of its two edges, each weighted by the length of the other.
+  const Vec3 before = a - state.nodes.col(last - 2);
+  const Vec3 tangent_a =
+      (before.normalized() * chord + (b - a).normalized() * before.norm()).normalized();
+  const double u = params.edge_length / state.inlet_rest_length;
+  const double h00 = (1 + 2 * u) * (1 - u) * (1 - u), h10 = u * (1 - u) * (1 - u);
+  const double h01 = u * u * (3 - 2 * u), h11 = u * u * (u - 1);
+  const Vec3 middle = h00 * a + h10 * chord * tangent_a + h01 * b + h11 * chord * nozzle.direction;
+
+  Points nodes(3, last + 2);
+  nodes.leftCols(last) = state.nodes.leftCols(last);
+  nodes.col(last) = middle;
+  nodes.col(last + 1) = b;
+
+  const auto clamp_index = static_cast<std::size_t>(state.last_clamp_frame());
+  const Quat old_edge = state.frames[clamp_index - 1];
+  const double clamp_twist = state.twist_guide.back();
+  const Quat first = transport(third_axis(old_edge), (middle - a).normalized()) * old_edge;
+  Quat second = transport(third_axis(old_edge), (b - middle).normalized()) * old_edge;
+  // Twist of the clamp joint is spread over the arc from the middle of the old edge to the clamp:
+  // the middles of the new edges cut it where they lie.
+  const double old_half = state.inlet_rest_length / 2;
+  const double second_share = (old_half - inlet / 2) / old_half;
+  second = rotation_about((b - middle).normalized(), second_share * clamp_twist) * second;
+
+  state.nodes = nodes;
+  state.frames[clamp_index - 1] = first;
+  state.frames.insert(state.frames.begin() + static_cast<std::ptrdiff_t>(clamp_index), second);
+  state.twist_guide.back() = second_share * clamp_twist;
+  state.twist_guide.push_back(clamp_twist - second_share * clamp_twist);
+  state.inlet_rest_length = inlet;
+  state.twist_guide = joint_twists(state);
+}
+
+}  // namespace wirepack
