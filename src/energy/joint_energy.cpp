@@ -8,10 +8,7 @@ namespace wirepack {
 
 namespace {
 
-Vec3 joint_stiffness(const RodParams& params) {
-  const Stiffness s = stiffness(params);
-  return {s.bend, s.bend, s.twist};
-}
+Vec3 joint_stiffness(const Stiffness& s) { return {s.bend, s.bend, s.twist}; }
 
 const Quat& frame(const RodState& state, Index index) {
   return state.frames[static_cast<std::size_t>(index)];
@@ -23,8 +20,8 @@ double guide(const RodState& state, Index node) {
 
 }  // namespace
 
-JointEnergy::JointEnergy(const RodParams& params)
-    : params_(params), stiffness_(joint_stiffness(params)) {}
+JointEnergy::JointEnergy(const RodParams& params, const Stiffness& stiffness)
+    : params_(params), stiffness_(joint_stiffness(stiffness)) {}
 
 double JointEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
   double energy = 0;
@@ -63,7 +60,7 @@ void JointEnergy::add_curvature(const RodState& state, CurvatureModel& model) co
 }
 
 NodeEnergies node_energies(const RodParams& params, const RodState& state) {
-  const Vec3 stiff = joint_stiffness(params);
+  const Vec3 stiff = joint_stiffness(stiffness(params));
   NodeEnergies energies{Eigen::VectorXd::Zero(state.node_count()),
                         Eigen::VectorXd::Zero(state.node_count())};
   for_each_joint(state, [&](const Joint& joint) {

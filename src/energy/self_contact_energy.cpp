@@ -17,8 +17,7 @@ Line line_of(const RodState& state, Index edge) {
 
 SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParams& contact)
     : range_{2 * params.radius, params.edge_length, contact.excluded_arc_length},
-      kernel_{2 * params.radius, params.edge_length,
-              contact.stiffness * params.edge_length / LineKernel::parallel_weight},
+      kernel_(LineKernel::per_length(contact.stiffness, params.radius, params.edge_length)),
       skin_(params.radius) {}
 
 void SelfContactEnergy::prepare(const RodState& state) {
@@ -51,7 +50,7 @@ void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& mod
                                                          {next_node(state, i), (0.5 + s) * n},
                                                          {j, (t - 0.5) * n},
                                                          {next_node(state, j), (-t - 0.5) * n}}};
-    model.add_square(kernel_.stiffness * touch.line.weight, parts);
+    model.add_square(touch.line.stiffness, parts);
   }
 }
 
@@ -61,7 +60,7 @@ std::vector<SelfContact> SelfContactEnergy::contacts(const RodState& state) cons
     const auto touch = kernel_.touch(line_of(state, pair.first), line_of(state, pair.second));
     if (!touch) continue;
     const double overlap = kernel_.touching_distance - touch->distance;
-    found.push_back({pair, *touch, overlap, kernel_.stiffness * touch->weight * overlap});
+    found.push_back({pair, *touch, overlap, touch->stiffness * overlap});
   }
   return found;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/rotation.hpp"
 #include "wirepack/solve/minimizer.hpp"
 #include "wirepack/solve/preconditioner.hpp"
 
@@ -16,6 +17,7 @@ struct Best {
   RodState state;
   double energy = HUGE_VAL;
   double residual = HUGE_VAL;
+  double guarded = 0;  // part of the energy that the guard holds: not at rest yet
   double inlet_length_force = 0;
 
   bool improved_by(double new_energy, double new_residual) const {
@@ -38,9 +40,39 @@ Eigen::VectorXd inverse_tolerances(const FrameChart& chart, const EquilibriumOpt
   return result;
 }
 
+// The guard's energy and gradient: stiffness / 2 (|d| - distance)^2 for each node whose move d across
+// the reference tangent is longer than the distance.
+class Guard {
+ public:
+  Guard(const RodState& reference, double distance, double stiffness)
+      : reference_(&reference), distance_(distance), stiffness_(stiffness) {}
+
+  double add_gradient(const RodState& state, Gradient& gradient) const {
+    if (distance_ <= 0) return 0;
+    double energy = 0;
+    const Index edges = state.edge_count();
+    for (Index i = 0; i < state.node_count(); ++i) {
+      const Vec3 t =
+          third_axis(reference_->frames[static_cast<std::size_t>(std::min(i, edges - 1))]);
+      const Vec3 move = state.nodes.col(i) - reference_->nodes.col(i);
+      const Vec3 across = move - move.dot(t) * t;
+      const double excess = across.norm() - distance_;
+      if (excess <= 0) continue;
+      energy += stiffness_ / 2 * excess * excess;
+      gradient.node.col(i) += stiffness_ * excess / (excess + distance_) * across;
+    }
+    return energy;
+  }
+
+ private:
+  const RodState* reference_;
+  double distance_, stiffness_;
+};
+
 // One round: one chart, one factor.
 DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& energy,
-                           const EquilibriumOptions& options, int max_evaluations) {
+                           const EquilibriumOptions& options, double guard_distance,
+                           int max_evaluations) {
   const FrameChart chart(best.state, held);
   CurvatureModel model(chart);
   energy.prepare(chart.reference());
@@ -52,24 +84,33 @@ DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFun
   RodState state = chart.reference();
   Gradient gradient;
   Eigen::VectorXd step, by_x;
+  const Guard guard(chart.reference(), guard_distance, options.guard.stiffness);
+  // NLopt stops by itself where no component of the gradient by y exceeds 1e-8, and loses its way
+  // where values are huge. The first gradient of a round is made 1e3 by the unit of y (and of the
+  // energy, its square), so that a round can gain eleven decades.
+  double unit = 0;
   const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& by_y) {
     preconditioner.to_step(y, step);
-    step += x0;
+    step = x0 + unit * step;
     chart.set_state(step, state);
     set_zero(gradient, state);
     energy.prepare(state);
-    const double value = energy.add_gradient(state, gradient);
+    const double guarded = guard.add_gradient(state, gradient);
+    const double value = energy.add_gradient(state, gradient) + guarded;
     chart.pull_back(state, gradient.node, gradient.frame, by_x);
     const double residual = by_x.cwiseProduct(inverse_tolerance).cwiseAbs().maxCoeff();
     if (best.improved_by(value, residual)) {
       best.state = state;
       best.energy = value;
       best.residual = residual;
+      best.guarded = guarded;
       best.inlet_length_force = gradient.inlet_length;
     }
     const bool at_rest = residual <= 1 && best.energy == value;
     preconditioner.to_gradient(by_x, by_y);
-    return Evaluation{value, at_rest};
+    if (unit == 0) unit = std::max(by_y.cwiseAbs().maxCoeff() / 1e3, 1e-150);
+    by_y /= unit;
+    return Evaluation{value / (unit * unit), at_rest};
   };
   return descend(objective, Eigen::VectorXd::Zero(chart.size()),
                  {max_evaluations, options.method.memory});
@@ -84,16 +125,27 @@ EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
   best.state = state;
   EquilibriumReport report;
   int fruitless_rounds = 0;
+  double guard_distance = options.guard.distance;
   while (true) {
-    const double energy_before = best.energy;
-    const double residual_before = best.residual;
+    best.energy -= best.guarded;
+    best.guarded = 0;
+    const Best before = best;
     const int left = options.method.max_evaluations - report.evaluations;
-    const DescentReport round =
-        descend_once(best, held, energy, options, std::min(options.method.refactor_every, left));
+    const DescentReport round = descend_once(best, held, energy, options, guard_distance,
+                                             std::min(options.method.refactor_every, left));
     report.evaluations += round.evaluations;
     ++report.factorizations;
     if (best.energy == HUGE_VAL) throw NumericalFailure("the start has no finite energy");
-    if (best.residual <= 1) {
+    if (options.guard.admissible && !options.guard.admissible(before.state, best.state)) {
+      best = before;
+      ++report.rounds_taken_back;
+      guard_distance /= 2;
+      if (guard_distance >= options.guard.distance / 16) continue;
+      report.end = EquilibriumEnd::inadmissible;
+      break;
+    }
+    guard_distance = options.guard.distance;
+    if (best.residual <= 1 && best.guarded == 0) {
       report.end = EquilibriumEnd::converged;
       break;
     }
@@ -101,8 +153,8 @@ EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
       report.end = EquilibriumEnd::evaluation_limit;
       break;
     }
-    const bool progress = best.energy < energy_before - 1e-12 * std::abs(best.energy) ||
-                          best.residual < 0.9 * residual_before;
+    const bool progress = best.energy < before.energy - 1e-12 * std::abs(best.energy) ||
+                          best.residual < 0.9 * before.residual;
     fruitless_rounds = progress ? 0 : fruitless_rounds + 1;
     if (fruitless_rounds == 3) {
       report.end = EquilibriumEnd::stalled;

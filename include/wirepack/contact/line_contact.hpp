@@ -13,15 +13,20 @@ struct Line {
   bool ends_after = false;   ///< the strand has a free end at s = +1/2
 };
 
-/// Two strands meeting near a pair of their edges. Near means nearest points of the two lines,
-/// regularised so that parallel lines have one solution; every pair of neighbouring edges sees the
-/// same meeting, and quadratic B-spline weights in the parameters share it out among them without
-/// bumps as strands slide along each other.
+/// Two strands meeting near a pair of their edges: the nearest points of the two lines. Every pair
+/// of neighbouring edges sees the same meeting, and quadratic B-spline weights in the parameters
+/// share it out among them without bumps as strands slide along each other.
+///
+/// Lines that are nearly parallel meet far away or nowhere: there the common motion of both points
+/// along the lines is held back, by eta |s e1 + t e2|^2 with eta = (a / 2 l) cos^8(angle). Strands
+/// that close in on each other at a small angle then shift the meeting by angle edges only, for any
+/// mesh. (Holding both points back by a constant instead shifts it by 5 angle 2a / l: the weights
+/// run out on fine meshes and the strands leak through each other.)
 struct LineContact {
-  double s, t;      ///< parameters of the meeting on both lines
-  double weight;    ///< product of the two B-splines, 0 .. 9/16
-  Vec3 separation;  ///< point on the first line minus point on the second
-  double distance;  ///< |separation|
+  double s, t;       ///< parameters of the meeting on both lines
+  double stiffness;  ///< of this pair, its weight included: energy stiffness / 2 overlap^2
+  Vec3 separation;   ///< point on the first line minus point on the second
+  double distance;   ///< |separation|
 };
 
 /// Derivative of a line contact's energy by both lines.
@@ -29,16 +34,28 @@ struct LineGradient {
   Vec3 midpoint1, vector1, midpoint2, vector2;
 };
 
-/// The kernel: distances below `touching_distance` cost stiffness / 2 weight overlap^2.
+/// The kernel: a pair at a distance below `touching_distance` costs k W / 2 overlap^2, W the product
+/// of its two weights, and k between its values for parallel lines and for a right angle: parallel
+/// strands have a stiffness per length, a crossing has one of its own, neither depends on the mesh.
 struct LineKernel {
-  double touching_distance;  ///< 2 a
-  double edge_length;        ///< l; scales the regularisation
-  double stiffness;          ///< per pair of edges [force / length]
+  double touching_distance;   ///< 2 a
+  double edge_length;         ///< l
+  double parallel_stiffness;  ///< of a pair of parallel edges [force / length]
+  double crossing_stiffness;  ///< of a crossing at a right angle [force / length]
 
-  /// Weight of all pairs of edges, summed, per edge of two parallel strands: a stiffness per length
-  /// k' is k' l / parallel_weight per pair.
-  static constexpr double regularisation = 0.1;
-  static constexpr double parallel_weight = (2 + regularisation) * 11 / 20;
+  /// The kernel for a stiffness k' per length of parallel strands [force / length^2]. A crossing
+  /// counts as a length 2 a of them.
+  static LineKernel per_length(double stiffness, double wire_radius, double edge_length);
+
+  /// Weights of all pairs of edges, summed, per edge of two parallel strands; for a crossing at a
+  /// right angle they sum to 1.
+  static constexpr double parallel_weight = 2.0 * 11 / 20;
+  /// k for lines whose angle has this cos^8.
+  double pair_stiffness(double parallel) const {
+    return crossing_stiffness + (parallel_stiffness - crossing_stiffness) * parallel;
+  }
+  /// eta of parallel lines.
+  double parallel_hold() const { return touching_distance / (4 * edge_length); }
 
   /// The touch of two lines; nothing when they are apart or meet outside the support of the pair.
   std::optional<LineContact> touch(const Line& first, const Line& second) const;

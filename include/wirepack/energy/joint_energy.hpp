@@ -18,7 +18,10 @@ struct JointEnergies {
 class JointEnergy {
  public:
   static constexpr std::string_view name = "joints";
-  explicit JointEnergy(const RodParams& params);
+  explicit JointEnergy(const RodParams& params) : JointEnergy(params, stiffness(params)) {}
+  /// With other stiffnesses than those of the material; a twist stiffness of 0 is the wire whose
+  /// torsion is known to vanish, and saves the cost of it.
+  JointEnergy(const RodParams& params, const Stiffness& stiffness);
   double add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
 

@@ -24,9 +24,9 @@ struct ContactParams {
   double excluded_arc_length = pi;  ///< neighbours along the wire nearer than this do not touch
 };
 
-/// Linear repulsion between strands: k l / 2 overlap^2 for each pair of touching edges, shared
-/// without bumps by the kernel of line_contact.hpp. The force per length of two parallel strands
-/// is k overlap for any mesh; a single crossing has the stiffness 1.02 .. 1.03 k l.
+/// Linear repulsion between strands, shared without bumps by the kernel of line_contact.hpp: the
+/// force per length of two parallel strands is k overlap, the force of a crossing 2 a k overlap,
+/// for any mesh.
 class SelfContactEnergy {
  public:
   static constexpr std::string_view name = "contact";

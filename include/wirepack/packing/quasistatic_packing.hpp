@@ -1,25 +1,16 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "wirepack/packing/history.hpp"
 #include "wirepack/packing/packing_frame.hpp"
 #include "wirepack/packing/packing_progress.hpp"
 #include "wirepack/packing/scenario.hpp"
+#include "wirepack/packing/stop_rule.hpp"
 
 namespace wirepack {
-
-/// Why a run ended.
-enum class StopReason {
-  scaled_force,
-  force,
-  density,
-  length,
-  increments,
-  no_equilibrium,  ///< no minimum found, even in the smallest substep
-  strands_passed,  ///< strands pass through each other even in the smallest substep
-};
-std::string_view name_of(StopReason reason);
 
 /// One quasi-static packing run, an increment at a time; the caller records what it gets and can
 /// stop or save `progress()` between any two increments. Feed, minimize, check, observe.
@@ -27,6 +18,8 @@ class QuasistaticPacking {
  public:
   /// From a straight wire in the nozzle. Throws InvalidInput when the scenario is not valid.
   explicit QuasistaticPacking(const Scenario& scenario);
+  ~QuasistaticPacking();
+  QuasistaticPacking(QuasistaticPacking&&) noexcept;
   /// Goes on from a saved progress of the same scenario.
   QuasistaticPacking(const Scenario& scenario, PackingProgress progress);
 
@@ -40,7 +33,19 @@ class QuasistaticPacking {
   bool frame_is_due() const;
   PackingFrame take_frame();
 
+  struct Model;  // the energy terms of the scenario
+
  private:
+  struct StepResult {
+    std::optional<StopReason> failure;
+    bool unresolved = false;  ///< force and energy disagree over the step: a jump or a kink
+    std::int64_t evaluations = 0;
+  };
+  /// Takes `next`, a copy of the progress, one step further; on failure the copy is useless.
+  StepResult step(PackingProgress& next);
+  double length_of_step() const;
+
+  std::unique_ptr<Model> model_;
   Scenario scenario_;
   PackingProgress progress_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "wirepack/energy/total_energy.hpp"
 #include "wirepack/rod/frame_chart.hpp"
 #include "wirepack/rod/rod_state.hpp"
@@ -14,15 +16,27 @@ struct MinimizerOptions {
   double shift = 1e-6;          ///< added to the curvature model's diagonal, over YI
 };
 
+/// Keeps strands from jumping through each other on the way down. Within one round (one factor, one
+/// memory of L-BFGS), a node that moves across its own wire by more than `distance` is pushed back
+/// with this stiffness, so a long way is gone in several rounds; rest is judged without it. A round
+/// that is not admissible is taken back and repeated with half the distance, down to a sixteenth.
+struct MoveGuard {
+  double distance = 0;   ///< 0: no guard
+  double stiffness = 0;  ///< [force / length]
+  /// Whether the wire can have gone straight from one state to the other; none: always.
+  std::function<bool(const RodState& before, const RodState& after)> admissible = nullptr;
+};
+
 /// What counts as rest and how it is looked for, in the units of the energy.
 struct EquilibriumOptions {
   double force_tolerance;   ///< on components of dE/dr
   double moment_tolerance;  ///< on dE/d(angle)
   double shift;             ///< on the curvature model's diagonal
   MinimizerOptions method;  ///< evaluations, memory, refactoring
+  MoveGuard guard = {};
 };
 
-enum class EquilibriumEnd { converged, evaluation_limit, stalled };
+enum class EquilibriumEnd { converged, evaluation_limit, stalled, inadmissible };
 
 struct EquilibriumReport {
   EquilibriumEnd end = EquilibriumEnd::stalled;
@@ -31,6 +45,7 @@ struct EquilibriumReport {
   double inlet_length_force = 0;  ///< explicit dE/d(inlet_rest_length): the injection force
   int evaluations = 0;
   int factorizations = 0;
+  int rounds_taken_back = 0;
 };
 
 /// Moves `state` to a local minimum of the energy: L-BFGS in variables preconditioned by a factor

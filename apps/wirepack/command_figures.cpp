@@ -1,0 +1,58 @@
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <vector>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/io/figure.hpp"
+#include "wirepack/io/hdf5_reader.hpp"
+
+#include "command.hpp"
+
+namespace wirepack {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> results;
+  std::string folder;
+};
+
+int draw(const Options& options) {
+  std::vector<FigureRun> runs;
+  PackingFrame last;
+  for (const std::string& result : options.results) {
+    const Hdf5Reader reader(result);
+    runs.push_back(
+        {std::filesystem::path(result).stem().string(), reader.scenario(), reader.history()});
+    const std::vector<std::int64_t> frames = reader.frame_increments();
+    if (runs.back().history.empty() || frames.empty()) {
+      throw FileError(result + ": holds no frame yet");
+    }
+    if (runs.size() == 1) last = reader.frame(frames.back());
+  }
+  const std::filesystem::path folder = options.folder;
+  draw_packing(folder, runs.front().scenario, last);
+  draw_force(folder, runs);
+  draw_energy(folder, runs);
+  for (const char* name : {"packing", "force", "energy"}) {
+    fmt::print("{}\n", (folder / (std::string(name) + ".png")).string());
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+Command figures_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "figures", "Figures of runs: the packing of the first, force and energy of all");
+  const auto options = std::make_shared<Options>();
+  app->add_option("RESULT.h5", options->results, "Results of wirepack run")->required();
+  app->add_option("-o,--output", options->folder,
+                  "Folder for PNG, PDF, SVG and the data behind them")
+      ->required();
+  app->footer("Example: wirepack figures quickstart.h5 -o figures");
+  return {app, [options] { return draw(*options); }};
+}
+
+}  // namespace wirepack

@@ -1,0 +1,178 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/io/config_file.hpp"
+#include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/io/hdf5_recorder.hpp"
+
+#include "command.hpp"
+#include "run_loop.hpp"
+#include "stop_signals.hpp"
+
+namespace wirepack {
+
+namespace {
+
+struct RunOptions {
+  std::string config, output, method, command_line;
+  std::vector<std::string> assignments;
+  bool resume = false, force = false, dry_run = false;
+  int threads = 1;
+};
+
+void say(const std::string& message) {
+  std::fputs(("wirepack run: " + message + "\n").c_str(), stderr);
+}
+
+Scenario scenario_of(const RunOptions& options) {
+  std::vector<ConfigOverride> overrides;
+  for (const std::string& assignment : options.assignments) {
+    overrides.push_back({assignment, "--set " + assignment});
+  }
+  if (!options.method.empty()) {
+    overrides.push_back({"packing.method=" + options.method, "--method " + options.method});
+  }
+  return read_config(options.config, overrides);
+}
+
+int show_plan(const Scenario& scenario) {
+  std::fputs(resolved_config(scenario).c_str(), stdout);
+  const double length = expected_length(scenario);
+  const double nodes = length / scenario.wire.edge_length;
+  const double a = scenario.wire.radius, radius = scenario.cavity.radius;
+  const double density = 3 * a * a * length / (4 * radius * radius * radius);
+  const double frames = density / scenario.output.frame_every_density + 1;
+  // a frame has 10 numbers per node, and the frames of a run have half the last one's nodes
+  const double megabytes = 8 * 10 * nodes * (frames / 2 + 1) / 1e6;
+  std::fputs(
+      fmt::format("\n# expected to end near L = {:.4g} (phi = {:.3g})\n"
+                  "# about {:.0f} nodes, {:.0f} increments, {:.0f} frames, {:.1f} MB\n",
+                  length, density, nodes, length / scenario.insertion.increment, frames, megabytes)
+          .c_str(),
+      stdout);
+  return exit_done;
+}
+
+bool exists(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (std::filesystem::is_directory(status)) throw InvalidInput(file + ": is a folder");
+  return std::filesystem::exists(status);
+}
+
+int exit_code(const RunResult& result) {
+  if (!result.stop) return exit_stopped_by_signal;
+  const bool lost =
+      *result.stop == StopReason::no_equilibrium || *result.stop == StopReason::strands_passed;
+  return lost ? exit_no_equilibrium : exit_done;
+}
+
+int finish(QuasistaticPacking& packing, Hdf5Recorder& recorder, const Scenario& scenario,
+           const RunTotals& before, const RunOptions& options) {
+  catch_stop_signals();
+  const RunResult result = record_run(packing, recorder, scenario, before);
+  const PackingProgress& progress = packing.progress();
+  std::fputs(summary(result, progress, scenario).c_str(), stdout);
+  std::fflush(stdout);
+  const std::string saved =
+      fmt::format("{} holds all up to increment {:.0f}", options.output, progress.last.increment);
+  if (!result.stop) {
+    say("stopped by a signal; " + saved + "; --resume goes on from there");
+  } else if (*result.stop == StopReason::no_equilibrium) {
+    say("no equilibrium was found for the next increment, even in the smallest substep; " + saved);
+  } else if (*result.stop == StopReason::strands_passed) {
+    say("strands pass through each other in the next increment, even in the smallest substep; " +
+        saved);
+  }
+  return exit_code(result);
+}
+
+int resume(const Scenario& scenario, const RunOptions& options) {
+  const Hdf5Reader reader(options.output);
+  const Scenario saved = reader.scenario();
+  if (const auto conflict = continuation_conflict(saved, scenario)) {
+    throw InvalidInput(fmt::format("{} cannot be continued with this configuration: {}",
+                                   options.output, *conflict));
+  }
+  RunTotals totals;
+  for (const HistoryRow& row : reader.history()) totals.add(row);
+  PackingProgress progress = reader.progress();
+  if (const auto passed = reached_limit(scenario, progress.last)) {
+    if (!reader.finished())
+      throw InvalidInput(options.output + ": is already beyond stop." +
+                         std::string(name_of(*passed)));
+    say(fmt::format("{} is finished: stop.{} is reached", options.output, name_of(*passed)));
+    return exit_done;
+  }
+  const std::string reason = reader.stop_reason();
+  if (reason == name_of(StopReason::no_equilibrium) ||
+      reason == name_of(StopReason::strands_passed)) {
+    say(fmt::format("{} is finished: {}", options.output, reason));
+    return exit_no_equilibrium;
+  }
+  say(fmt::format("{}: going on after increment {:.0f}", options.output, progress.last.increment));
+  QuasistaticPacking packing(scenario, std::move(progress));
+  Hdf5Recorder recorder = Hdf5Recorder::continuing(options.output, scenario, options.command_line);
+  return finish(packing, recorder, scenario, totals, options);
+}
+
+int run(const RunOptions& options) {
+  const Scenario scenario = scenario_of(options);
+  if (options.dry_run) return show_plan(scenario);
+  if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
+  const bool there = exists(options.output);
+  if (options.resume && there) return resume(scenario, options);
+  if (options.resume) say(options.output + " is not there yet: starting from the beginning");
+  if (there && !options.force) {
+    throw InvalidInput(options.output + " exists; --resume goes on from it, --force replaces it");
+  }
+  QuasistaticPacking packing(scenario);
+  Hdf5Recorder recorder(options.output, scenario, options.command_line);
+  return finish(packing, recorder, scenario, RunTotals{}, options);
+}
+
+}  // namespace
+
+Command run_command(CLI::App& program, const std::string& command_line) {
+  auto options = std::make_shared<RunOptions>();
+  options->command_line = command_line;
+  CLI::App* app = program.add_subcommand("run", "One packing run");
+  app->set_help_flag("--help,-h", "This help");
+  app->add_option("CONFIG.toml", options->config, "Configuration; `[cavity] radius` is enough")
+      ->required();
+  app->add_option("-o,--output", options->output, "Result file (HDF5)")->type_name("OUT.h5");
+  app->add_option("--set", options->assignments,
+                  "Overrides a key of the configuration; can be given many times")
+      ->type_name("SECTION.KEY=VALUE")
+      ->allow_extra_args(false);
+  app->add_option("--method", options->method, "Short for --set packing.method=METHOD")
+      ->type_name("METHOD");
+  CLI::Option* resume =
+      app->add_flag("--resume", options->resume,
+                    "Goes on from OUT.h5, to the same bits as an undisturbed run; [stop] and "
+                    "[output] may have changed. Starts from the beginning if there is no OUT.h5");
+  app->add_flag("--force", options->force, "Replaces an existing OUT.h5")->excludes(resume);
+  app->add_flag("--dry-run", options->dry_run,
+                "Prints the resolved configuration and an estimate, and writes nothing");
+  app->add_option("--threads", options->threads,
+                  "Threads to compute with at most; never changes a result (this version uses one)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+  app->footer(
+      "Examples:\n"
+      "  wirepack run data/scenarios/quickstart.toml -o quickstart.h5\n"
+      "  wirepack run data/scenarios/quickstart.toml -o tight.h5 --set cavity.radius=8 --set "
+      "packing.seed=2\n"
+      "  wirepack run data/scenarios/quickstart.toml -o quickstart.h5 --resume\n"
+      "  wirepack run data/scenarios/quickstart.toml --dry-run");
+  return {app, [options] { return run(*options); }};
+}
+
+}  // namespace wirepack

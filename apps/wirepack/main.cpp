@@ -1,0 +1,131 @@
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <new>
+#include <system_error>
+#include <vector>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/core/version.hpp"
+
+#include "command.hpp"
+
+namespace wirepack {
+
+namespace {
+
+std::string version_text() {
+  const Version v = version();
+  return fmt::format("wirepack {}\ncommit    {}\ncompiler  {}\nlibraries {}", v.program,
+                     v.git_commit, v.compiler, v.libraries);
+}
+
+// The call as it can be given to a shell again.
+std::string shell_text(int count, char** arguments) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    std::string word = arguments[i];
+    const bool plain = !word.empty() && word.find_first_not_of(
+                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789_-+=.,:/@%") == std::string::npos;
+    if (!plain) {
+      for (std::size_t at = 0; (at = word.find('\'', at)) != std::string::npos; at += 4) {
+        word.replace(at, 1, "'\\''");
+      }
+      word = "'" + word + "'";
+    }
+    if (i > 0) text += ' ';
+    text += word;
+  }
+  return text;
+}
+
+int report(const std::string& name, const std::exception& error, int code) {
+  std::fputs((name + ": " + error.what() + "\n").c_str(), stderr);
+  return code;
+}
+
+int run_safely(const Command& command) {
+  const std::string name = "wirepack " + command.app->get_name();
+  try {
+    int code = command.run();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw FileError("the standard output cannot be written");
+    }
+    return code;
+  } catch (const InvalidInput& error) {
+    return report(name, error, exit_bad_input);
+  } catch (const NumericalFailure& error) {
+    return report(name, error, exit_numerical_failure);
+  } catch (const FileError& error) {
+    return report(name, error, exit_file_error);
+  } catch (const std::system_error& error) {
+    return report(name, error, exit_file_error);
+  } catch (const std::bad_alloc&) {
+    return report(name, std::runtime_error("there is not enough memory"), exit_numerical_failure);
+  } catch (const std::exception& error) {
+    return report(name, error, exit_numerical_failure);
+  }
+}
+
+// CLI11 calls a misspelt command a missing one.
+std::string explain(const CLI::ParseError& error, const CLI::App& program, int count,
+                    char** arguments) {
+  const std::string first = count > 1 ? arguments[1] : "-";
+  std::string names;
+  for (const CLI::App* known : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (known->get_name() == first) return error.what();
+    names += (names.empty() ? "" : ", ") + known->get_name();
+  }
+  if (first[0] == '-') return error.what();
+  return fmt::format("there is no command '{}'; there is {}", first, names);
+}
+
+int run_program(int count, char** arguments) {
+  // A limit on the size of files shall give a message, as a full disk does, and not kill.
+  std::signal(SIGXFSZ, SIG_IGN);
+  CLI::App program{"Packs a long elastic wire into a rigid cavity by energy minimization."};
+  program.name("wirepack");
+  program.set_version_flag("--version", version_text(), "Version, commit, compiler and libraries");
+  program.set_help_flag("--help,-h", "This help");
+  program.require_subcommand(1);
+  program.footer(
+      "Example: wirepack run data/scenarios/quickstart.toml -o quickstart.h5\n"
+      "Exit codes: 0 done, 2 bad input, 3 no equilibrium found, 4 numerical failure,\n"
+      "            5 file error, 75 stopped on a signal with everything saved");
+  const std::vector<Command> commands{run_command(program, shell_text(count, arguments)),
+                                      verify_command(program), figures_command(program)};
+  try {
+    program.parse(count, arguments);
+  } catch (const CLI::Success& wish) {  // --help, --version
+    program.exit(wish);
+    return exit_done;
+  } catch (const CLI::ParseError& error) {
+    std::string name = "wirepack";
+    for (const CLI::App* chosen : program.get_subcommands()) name += " " + chosen->get_name();
+    const std::string text = explain(error, program, count, arguments);
+    std::fputs((name + ": " + text + "; see " + name + " --help\n").c_str(), stderr);
+    return exit_bad_input;
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return run_safely(command);
+  }
+  return exit_bad_input;
+}
+
+}  // namespace
+
+}  // namespace wirepack
+
+int main(int count, char** arguments) {
+  const int code = wirepack::run_program(count, arguments);
+  // HDF5 cannot put away all of a damaged file and says so at length when a program ends; the
+  // message of ours is enough.
+  if (code == wirepack::exit_file_error) {
+    std::fflush(nullptr);
+    std::_Exit(code);
+  }
+  return code;
+}

@@ -1,0 +1,184 @@
+#include "run_loop.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
+#include <limits>
+#include <unistd.h>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/io/history_table.hpp"
+
+#include "stop_signals.hpp"
+
+namespace wirepack {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double length_at(const Scenario& scenario, double density) {
+  const double a = scenario.wire.radius, radius = scenario.cavity.radius;
+  return density * 4 * radius * radius * radius / (3 * a * a);
+}
+
+std::string shown_time(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+/// One line on a terminal that tells how far the run is.
+class ProgressLine {
+ public:
+  ProgressLine(const Scenario& scenario, const HistoryRow& start)
+      : shown_(::isatty(STDERR_FILENO) != 0), end_(expected_length(scenario)), start_(start) {}
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void clear() {
+    if (dirty_) std::fputs("\r\033[K", stderr);
+    dirty_ = false;
+  }
+
+  void show(const HistoryRow& row, double seconds) {
+    if (!shown_) return;
+    std::string text =
+        fmt::format("phi {:.4f}  F R^2/YI {:.3g}  {:.2f} increments/s", row.packing_density,
+                    row.scaled_force, (row.increment - start_.increment) / std::max(seconds, 1e-3));
+    // an increment costs in proportion to the wire that is inside
+    const auto square = [](double v) { return v * v; };
+    const double done = square(row.inserted_length) - square(start_.inserted_length);
+    const double left = square(end_) - square(row.inserted_length);
+    if (done > 0 && left > 0) {
+      text += fmt::format("  about {} left", shown_time(seconds * left / done));
+    }
+    std::fputs(("\r" + text + "\033[K").c_str(), stderr);
+    dirty_ = true;
+  }
+
+ private:
+  bool shown_, dirty_ = false;
+  double end_;
+  HistoryRow start_;
+};
+
+}  // namespace
+
+void RunTotals::add(const HistoryRow& row) {
+  evaluations += row.evaluations;
+  largest_residual = std::max(largest_residual, row.residual);
+  largest_overlap = std::max(largest_overlap, row.max_overlap);
+  seconds = row.wall_seconds;
+}
+
+RunResult record_run(QuasistaticPacking& packing, Hdf5Recorder& recorder, const Scenario& scenario,
+                     const RunTotals& before) {
+  RunResult result{std::nullopt, before};
+  const Clock::time_point start = Clock::now();
+  const HistoryTable table(scenario);
+  ProgressLine progress_line(scenario, packing.progress().last);
+  // Shows now, and not after hours, that the file cannot be written.
+  recorder.flush(packing.progress());
+  Clock::time_point last_flush = Clock::now();
+  double last_frame = -1;
+  const auto take_frame = [&] {
+    last_frame = packing.progress().last.increment;
+    recorder.add(packing.take_frame());
+  };
+
+  std::fputs(table.header().c_str(), stdout);
+  PackingProgress good = packing.progress();
+  try {
+    while (!result.stop && !stop_was_requested()) {
+      result.stop = packing.advance();
+      const PackingProgress& progress = packing.progress();
+      const bool advanced = progress.last.increment > good.last.increment;
+      if (advanced) {
+        HistoryRow row = progress.last;
+        row.wall_seconds = before.seconds + seconds_since(start);
+        recorder.add(row);
+        result.totals.add(row);
+        progress_line.clear();
+        std::fputs(table.line(row, progress).c_str(), stdout);
+        std::fflush(stdout);
+        progress_line.show(row, seconds_since(start));
+      }
+      bool flush_is_due = seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
+      if (advanced && packing.frame_is_due()) {
+        take_frame();
+        flush_is_due = true;
+      }
+      good = packing.progress();
+      if (flush_is_due && !result.stop) {
+        recorder.flush(good);
+        last_flush = Clock::now();
+      }
+    }
+  } catch (const NumericalFailure&) {
+    recorder.flush(good);
+    throw;
+  }
+  // A run that a signal stopped goes on later; an extra frame would make it differ from others.
+  const double last = packing.progress().last.increment;
+  if (result.stop && last > 0 && last > last_frame) take_frame();
+  recorder.flush(packing.progress(), result.stop);
+  return result;
+}
+
+double expected_length(const Scenario& scenario) {
+  const StopLimits& stop = scenario.stop;
+  double length = std::numeric_limits<double>::infinity();
+  if (stop.length) length = std::min(length, *stop.length);
+  if (stop.density) length = std::min(length, length_at(scenario, *stop.density));
+  if (stop.increments) {
+    length =
+        std::min(length, 2 * scenario.wire.edge_length +
+                             static_cast<double>(*stop.increments) * scenario.insertion.increment);
+  }
+  if (stop.scaled_force || stop.force) {
+    const double density = 0.98 * std::pow(scenario.wire.radius / scenario.cavity.radius, 0.38);
+    length = std::min(length, length_at(scenario, density));
+  }
+  return length;
+}
+
+std::string summary(const RunResult& result, const PackingProgress& progress,
+                    const Scenario& scenario) {
+  const HistoryRow& last = progress.last;
+  const WorkBalance& balance = progress.balance;
+  const double unit = stiffness(scenario.wire).bend / scenario.cavity.radius;  // YI / R
+  const double residue = balance.work - last.energy_total - balance.released - balance.remeshing;
+  const double percent = balance.work != 0 ? 100 * residue / balance.work : 0;
+  const RunTotals& totals = result.totals;
+  std::string text = "#\n";
+  const auto line = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("# {:<22}{}\n", name, value);
+  };
+  line("stopped by", result.stop ? std::string(name_of(*result.stop)) : "a signal");
+  line("phi_max", fmt::format("{:.6f}", last.packing_density));
+  line("inserted length", fmt::format("{:.6g} a", last.inserted_length / scenario.wire.radius));
+  line("force", fmt::format("{:.6g} YI/R^2", last.scaled_force));
+  line("work int F dL", fmt::format("{:.6g} YI/R", balance.work / unit));
+  line("  stored energy", fmt::format("{:.6g} YI/R", last.energy_total / unit));
+  line("  released in snaps", fmt::format("{:.6g} YI/R", balance.released / unit));
+  line("  lost in remeshing", fmt::format("{:.6g} YI/R", balance.remeshing / unit));
+  line("  residue", fmt::format("{:.3g} % of the work", percent));
+  line("snaps", fmt::format("{}", progress.snaps));
+  line("rollbacks", fmt::format("{}", progress.rollbacks));
+  line("evaluations", fmt::format("{:.0f}", totals.evaluations));
+  line("largest residual", fmt::format("{:.3g} YI/R^2 (tolerance {:.3g})", totals.largest_residual,
+                                       scenario.minimizer.tolerance));
+  line("largest overlap", fmt::format("{:.3g} a", totals.largest_overlap / scenario.wire.radius));
+  line("time", fmt::format("{:.1f} s", totals.seconds));
+  return text;
+}
+
+}  // namespace wirepack

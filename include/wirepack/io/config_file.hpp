@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "wirepack/packing/scenario.hpp"
+
+namespace wirepack {
+
+/// A value that replaces or adds to those of a configuration file.
+struct ConfigOverride {
+  std::string assignment;  ///< "section.key=value", the value in TOML or a bare string
+  std::string origin;      ///< how messages name it, such as "--set cavity.radius=5"
+};
+
+/// The scenario of a TOML configuration. Keys that are not given take the values of
+/// default_scenario() for the given setup, cavity.radius, wire.radius and wire.youngs_modulus;
+/// insertion.increment follows a given wire.edge_length; any given stop limit replaces the default
+/// one. wire.precurvature = k is the rest shape (0, k, 0).
+///
+/// Throws InvalidInput with one line per problem, "file:line:column: section.key = value: what is
+/// allowed", for all problems at once: syntax, unknown sections and keys, wrong types, impossible
+/// values, features of other versions, a file without any key. `source` names the text in messages.
+Scenario parse_config(std::string_view text, const std::string& source,
+                      const std::vector<ConfigOverride>& overrides = {});
+
+/// parse_config() of a file. Throws InvalidInput also when the file is missing, is not a regular
+/// text file, or is larger than 1 MB; FileError when reading it fails.
+Scenario read_config(const std::filesystem::path& file,
+                     const std::vector<ConfigOverride>& overrides = {});
+
+/// The scenario as TOML text with every key written out; parse_config() of it gives an equal
+/// scenario, to the last bit. Throws InvalidInput for a scenario that no configuration can express:
+/// a rest curvature about another axis than the second, or a seed above 2^63 - 1.
+std::string resolved_config(const Scenario& scenario);
+
+/// What keeps a run of one scenario from being continued with another: the first key, in the order
+/// of resolved_config(), that differs, as "section.key: was x, is now y". Stop limits and [output]
+/// may differ.
+std::optional<std::string> continuation_conflict(const Scenario& was, const Scenario& now);
+
+}  // namespace wirepack

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "wirepack/packing/history.hpp"
+#include "wirepack/packing/packing_frame.hpp"
+#include "wirepack/packing/scenario.hpp"
+
+namespace wirepack {
+
+/// One run as figures need it.
+struct FigureRun {
+  std::string label;
+  Scenario scenario;
+  std::vector<HistoryRow> history;
+};
+
+/// A figure on disk: the plain data and the gnuplot script that draws it to NAME.png, NAME.pdf and
+/// NAME.svg in the same folder. The script runs on its own: `gnuplot NAME.gp`.
+/// All functions throw FileError when something cannot be written, or gnuplot fails or is missing.
+
+/// packing: the wire of a frame as a tube, coloured by bending energy per length over YI / (2 R^2).
+void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
+                  const PackingFrame& frame);
+
+/// force: F R^2 / YI against the packing density, with the inverse-spool model.
+void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+
+/// energy: E_bend R / YI and E_twist R / YI against the packing density, with the same model.
+void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+
+}  // namespace wirepack

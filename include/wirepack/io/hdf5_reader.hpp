@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "wirepack/packing/history.hpp"
+#include "wirepack/packing/packing_frame.hpp"
+#include "wirepack/packing/packing_progress.hpp"
+#include "wirepack/packing/scenario.hpp"
+
+namespace wirepack {
+
+/// Reads a result file. It stays on the file it has opened, also when a run replaces that by a
+/// newer one. Everything throws FileError with the path and what is wrong: missing, not HDF5,
+/// not of wirepack, of another format version, damaged.
+class Hdf5Reader {
+ public:
+  explicit Hdf5Reader(const std::filesystem::path& file);
+  ~Hdf5Reader();
+  Hdf5Reader(Hdf5Reader&&) noexcept;
+
+  std::vector<HistoryRow> history() const;
+  /// Increments of which there is a frame, in order.
+  std::vector<std::int64_t> frame_increments() const;
+  /// One of them. Of the contacts it has edges and force; the rod has no clamp frames and no twist
+  /// guide.
+  PackingFrame frame(std::int64_t increment) const;
+  /// Where the run was at the last flush, for its continuation.
+  PackingProgress progress() const;
+
+  std::string config() const;  ///< resolved TOML text
+  Scenario scenario() const;   ///< what config() says
+  std::string command_line() const;
+  std::string program_version() const;
+  std::string git_commit() const;
+  std::string library_versions() const;
+  bool finished() const;
+  std::string stop_reason() const;  ///< empty while the run is not finished
+  double phi_max() const;
+
+ private:
+  struct Opened;
+  std::unique_ptr<Opened> opened_;
+};
+
+}  // namespace wirepack

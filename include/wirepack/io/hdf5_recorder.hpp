@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "wirepack/packing/history.hpp"
+#include "wirepack/packing/packing_frame.hpp"
+#include "wirepack/packing/packing_progress.hpp"
+#include "wirepack/packing/quasistatic_packing.hpp"
+#include "wirepack/packing/scenario.hpp"
+
+namespace wirepack {
+
+/// Collects rows and frames of a run and keeps the result file: see "The result file" in
+/// data/README.md. The file is never open between two calls, and is only ever replaced as a whole,
+/// so it can be read at any moment of the run, also after a kill -9 or on a full disk.
+class Hdf5Recorder {
+ public:
+  /// Begins a new result; a file of that name is replaced by the first flush().
+  Hdf5Recorder(const std::filesystem::path& file, const Scenario& scenario,
+               std::string command_line);
+  /// Goes on with the result in `file`, which must be one of wirepack (see Hdf5Reader). Limits and
+  /// output of the scenario may have changed; `command_line` is added as one more line to those
+  /// kept. Throws FileError.
+  static Hdf5Recorder continuing(const std::filesystem::path& file, const Scenario& scenario,
+                                 const std::string& command_line);
+
+  void add(const HistoryRow& row) { rows_.push_back(row); }
+  /// A frame is kept under the number of its increment; a second one of the same increment
+  /// replaces the first.
+  void add(PackingFrame frame) { frames_.push_back(std::move(frame)); }
+
+  /// Brings what was added and the progress to the disk, with the reason of the stop if the run is
+  /// over. `progress` must be that after the last row added. Throws FileError with path and reason;
+  /// then the old file is intact and what was added is kept for the next flush.
+  void flush(const PackingProgress& progress, std::optional<StopReason> stop = std::nullopt);
+
+ private:
+  std::filesystem::path file_;
+  Scenario scenario_;
+  std::string command_line_;
+  bool exists_ = false;  // our file is in place, and the next flush adds to it
+  std::vector<HistoryRow> rows_;
+  std::vector<PackingFrame> frames_;
+};
+
+}  // namespace wirepack

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "wirepack/packing/history.hpp"
+#include "wirepack/packing/scenario.hpp"
+
+namespace wirepack {
+
+/// Why a run ended: one of the limits of the scenario, or a failure.
+enum class StopReason {
+  scaled_force,
+  force,
+  density,
+  length,
+  increments,
+  no_equilibrium,  ///< no minimum found, even in the smallest substep
+  strands_passed,  ///< strands pass through each other even in the smallest substep
+};
+std::string_view name_of(StopReason reason);
+
+/// The limit of the scenario that this increment has reached, if any.
+std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryRow& row);
+
+}  // namespace wirepack

@@ -1,0 +1,16 @@
+@PACKAGE_INIT@
+
+include(CMakeFindDependencyMacro)
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(NLopt CONFIG)
+find_dependency(fmt CONFIG)
+find_dependency(tomlplusplus CONFIG)
+include("${CMAKE_CURRENT_LIST_DIR}/c_libraries.cmake")
+if(wirepack_missing)
+  set(wirepack_FOUND FALSE)
+  set(wirepack_NOT_FOUND_MESSAGE "${wirepack_missing}")
+  return()
+endif()
+
+include("${CMAKE_CURRENT_LIST_DIR}/wirepack-targets.cmake")
+check_required_components(wirepack)

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "wirepack/packing/packing_progress.hpp"
+
+#include "hdf5_values.hpp"
+
+namespace wirepack {
+
+/// N x 3 as files keep points; HDF5's row order is the memory order of Points.
+Hdf5Table<double> table_of(const Points& points);
+Points points_of(const Hdf5Table<double>& table);
+/// The first `count` rotations, each as w, x, y, z.
+Hdf5Table<double> table_of(const std::vector<Quat>& rotations, Index count);
+std::vector<Quat> rotations_of(const Hdf5Table<double>& table);
+
+/// Writes /checkpoint, /crossings and /balance of a result file, which together hold all of a
+/// progress, bit for bit; what was there is replaced.
+void write_progress(hid_t file, const PackingProgress& progress);
+PackingProgress read_progress(hid_t file);
+
+}  // namespace wirepack

@@ -1,0 +1,336 @@
+#include "wirepack/io/config_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <numeric>
+#include <system_error>
+
+#include "wirepack/core/error.hpp"
+
+#include "config_keys.hpp"
+#include "config_text.hpp"
+
+namespace wirepack {
+
+namespace {
+
+constexpr std::size_t largest_file = 1'000'000;
+constexpr std::size_t most_problems = 50;
+
+// Levenshtein distance.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// The candidate that was probably meant, or nothing.
+std::string nearest(std::string_view given, const std::vector<std::string>& candidates) {
+  std::string best;
+  std::size_t least = std::max<std::size_t>(2, given.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(given, candidate);
+    if (distance < least && distance < candidate.size()) {
+      least = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string quoted_list(const std::vector<std::string_view>& values) {
+  std::string text;
+  for (const std::string_view value : values) {
+    text += fmt::format("{}\"{}\"", text.empty() ? "" : " or ", value);
+  }
+  return text;
+}
+
+// The value in the type of the key; otherwise `problem` says what is allowed.
+std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given,
+                                     std::string& problem) {
+  const ConfigValue* value = given.value ? &*given.value : nullptr;
+  switch (key.type) {
+    case ConfigType::boolean:
+      if (value != nullptr && std::holds_alternative<bool>(*value)) return *value;
+      problem = "must be true or false";
+      return std::nullopt;
+    case ConfigType::integer: {
+      const auto* v = value != nullptr ? std::get_if<std::int64_t>(value) : nullptr;
+      if (v != nullptr && *v >= key.smallest && *v <= key.largest) return *value;
+      problem = "must be an integer";
+      if (v != nullptr) problem += fmt::format(" from {} to {}", key.smallest, key.largest);
+      return std::nullopt;
+    }
+    case ConfigType::number: {
+      double number = NAN;
+      if (value != nullptr && std::holds_alternative<double>(*value)) {
+        number = std::get<double>(*value);
+      } else if (value != nullptr && std::holds_alternative<std::int64_t>(*value)) {
+        number = static_cast<double>(std::get<std::int64_t>(*value));
+      }
+      if (std::isfinite(number) && (number > 0 || !key.positive)) return ConfigValue(number);
+      problem = key.positive ? "must be a positive, finite number" : "must be a finite number";
+      return std::nullopt;
+    }
+    case ConfigType::choice: {
+      const auto* v = value != nullptr ? std::get_if<std::string>(value) : nullptr;
+      const auto among = [&](const std::vector<std::string_view>& values) {
+        return v != nullptr && std::find(values.begin(), values.end(), *v) != values.end();
+      };
+      if (among(key.choices)) return *value;
+      problem = among(key.later_choices) ? "is not in this version; must be " : "must be ";
+      problem += quoted_list(key.choices);
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Turns given keys into a scenario and gathers what is wrong with them.
+class Interpreter {
+ public:
+  Interpreter(ConfigText text, std::string source)
+      : text_(std::move(text)), source_(std::move(source)), problems_(std::move(text_.problems)) {}
+
+  Scenario scenario() {
+    check_sections();
+    for (const GivenKey& given : text_.keys) accept(given);
+    Scenario result = defaults();
+    const bool any_limit = std::any_of(accepted_.begin(), accepted_.end(),
+                                       [](const Accepted& a) { return a.key->section == "stop"; });
+    if (any_limit) result.stop = StopLimits{};
+    for (const Accepted& a : accepted_) a.key->set(result, a.value);
+    if (value_of("wire.edge_length") != nullptr && value_of("insertion.increment") == nullptr) {
+      result.insertion.increment = result.wire.edge_length / 2;
+    }
+    check_values(result);
+    return result;
+  }
+
+  const std::vector<std::string>& problems() const { return problems_; }
+
+ private:
+  struct Accepted {
+    const ConfigKey* key;
+    ConfigValue value;
+  };
+
+  const ConfigKey* find(std::string_view section, std::string_view name) const {
+    const auto it = std::find_if(keys_.begin(), keys_.end(), [&](const ConfigKey& k) {
+      return k.section == section && k.name == name;
+    });
+    return it == keys_.end() ? nullptr : &*it;
+  }
+
+  bool is_section(std::string_view name) const {
+    return std::any_of(keys_.begin(), keys_.end(),
+                       [&](const ConfigKey& k) { return k.section == name; });
+  }
+
+  bool is_later(std::string_view section, std::string_view name) const {
+    return std::any_of(later_.begin(), later_.end(), [&](const LaterKey& k) {
+      return k.section == section && (k.name.empty() || k.name == name);
+    });
+  }
+
+  const ConfigValue* value_of(std::string_view path) const {
+    const auto it = std::find_if(accepted_.begin(), accepted_.end(),
+                                 [&](const Accepted& a) { return a.key->path() == path; });
+    return it == accepted_.end() ? nullptr : &it->value;
+  }
+
+  double number_or(std::string_view path, double otherwise) const {
+    const ConfigValue* value = value_of(path);
+    // Defaults are derived from possible values only; impossible ones are reported later.
+    return value != nullptr && std::get<double>(*value) > 0 ? std::get<double>(*value) : otherwise;
+  }
+
+  void check_sections() {
+    std::vector<std::string> names;
+    for (const ConfigKey& key : keys_) {
+      if (names.empty() || names.back() != key.section) names.emplace_back(key.section);
+    }
+    for (const GivenSection& section : text_.sections) {
+      if (is_section(section.name)) continue;
+      if (is_later(section.name, "")) {
+        problems_.push_back(
+            fmt::format("{}: [{}]: is not in this version", section.where, section.name));
+        continue;
+      }
+      const std::string meant = nearest(section.name, names);
+      problems_.push_back(fmt::format("{}: [{}]: unknown section; {}", section.where, section.name,
+                                      meant.empty()
+                                          ? fmt::format("there are [{}]", fmt::join(names, "], ["))
+                                          : fmt::format("did you mean [{}]?", meant)));
+    }
+  }
+
+  void accept(const GivenKey& given) {
+    if (!is_section(given.section)) return;  // one message per section is enough
+    const ConfigKey* key = find(given.section, given.name);
+    if (key == nullptr) {
+      complain(given,
+               is_later(given.section, given.name) ? "is not in this version" : suggestion(given));
+      return;
+    }
+    std::string problem;
+    if (auto value = converted(*key, given, problem)) {
+      accepted_.push_back({key, std::move(*value)});
+    } else {
+      complain(given, problem);
+    }
+  }
+
+  std::string suggestion(const GivenKey& given) const {
+    std::vector<std::string> names;
+    for (const ConfigKey& key : keys_) {
+      if (key.section == given.section) names.emplace_back(key.name);
+    }
+    const std::string meant = nearest(given.name, names);
+    if (!meant.empty()) {
+      return fmt::format("unknown key; did you mean {}.{}?", given.section, meant);
+    }
+    for (const ConfigKey& key : keys_) {
+      if (key.name == given.name) {
+        return fmt::format("unknown key; did you mean {}?", key.path());
+      }
+    }
+    return fmt::format("unknown key; [{}] has {}", given.section, fmt::join(names, ", "));
+  }
+
+  void complain(const GivenKey& given, const std::string& problem) {
+    problems_.push_back(fmt::format("{}: {}.{} = {}: {}", given.where, given.section, given.name,
+                                    given.shown, problem));
+  }
+
+  Scenario defaults() const {
+    const Scenario plain;
+    const ConfigValue* setup = value_of("packing.setup");
+    Scenario chosen;
+    if (setup != nullptr) find("packing", "setup")->set(chosen, *setup);
+    return default_scenario(chosen.setup,
+                            SphericalCavity{number_or("cavity.radius", plain.cavity.radius)},
+                            number_or("wire.radius", plain.wire.radius),
+                            number_or("wire.youngs_modulus", plain.wire.youngs_modulus));
+  }
+
+  void check_values(const Scenario& scenario) {
+    std::vector<std::string> of_defaults;
+    for (const std::string& problem : wirepack::problems(scenario)) {
+      const std::string_view path = std::string_view(problem).substr(0, problem.find(" = "));
+      const auto given = std::find_if(text_.keys.begin(), text_.keys.end(), [&](const GivenKey& k) {
+        return k.section + "." + k.name == path;
+      });
+      if (given != text_.keys.end()) {
+        problems_.push_back(given->where + ": " + problem);
+      } else {
+        of_defaults.push_back(source_ + ": " + problem + " (the default; give this key)");
+      }
+    }
+    // A default that follows from a wrong value is not a problem of its own.
+    if (problems_.empty()) problems_ = of_defaults;
+  }
+
+  const std::vector<ConfigKey> keys_ = config_keys();
+  const std::vector<LaterKey> later_ = later_keys();
+  ConfigText text_;
+  std::string source_;
+  std::vector<std::string> problems_;
+  std::vector<Accepted> accepted_;
+};
+
+std::string read_text(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  const std::string name = file.string();
+  if (status.type() == std::filesystem::file_type::not_found) {
+    throw InvalidInput(name + ": there is no such file");
+  }
+  if (error) throw InvalidInput(name + ": " + error.message());
+  if (std::filesystem::is_directory(status)) {
+    throw InvalidInput(name + ": is a folder; a configuration is a file such as run.toml");
+  }
+  // A pipe or device might never end.
+  if (!std::filesystem::is_regular_file(status)) {
+    throw InvalidInput(name + ": is not a regular file");
+  }
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InvalidInput(name + ": cannot be opened: " + std::strerror(errno));
+  std::string text(largest_file + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (in.bad()) throw FileError(name + ": reading failed: " + std::strerror(errno));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > largest_file) {
+    throw InvalidInput(name + ": is larger than 1 MB, which no configuration is");
+  }
+  return text;
+}
+
+}  // namespace
+
+Scenario parse_config(std::string_view text, const std::string& source,
+                      const std::vector<ConfigOverride>& overrides) {
+  ConfigText given = read_config_text(text, source, overrides);
+  // What cannot be read has no keys whose values could be wrong.
+  const bool readable = !given.keys.empty();
+  Interpreter interpreter(std::move(given), source);
+  Scenario scenario;
+  if (readable) scenario = interpreter.scenario();
+  const std::vector<std::string>& found = interpreter.problems();
+  if (found.empty()) return scenario;
+  const auto shown_end =
+      found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), most_problems));
+  std::string message = fmt::format("{}", fmt::join(found.begin(), shown_end, "\n"));
+  if (found.size() > most_problems) {
+    message += fmt::format("\nand {} more problems", found.size() - most_problems);
+  }
+  throw InvalidInput(message);
+}
+
+Scenario read_config(const std::filesystem::path& file,
+                     const std::vector<ConfigOverride>& overrides) {
+  return parse_config(read_text(file), file.string(), overrides);
+}
+
+std::string resolved_config(const Scenario& scenario) {
+  std::string text;
+  std::string_view section;
+  for (const ConfigKey& key : config_keys()) {
+    const std::optional<ConfigValue> value = key.get(scenario);
+    if (!value) continue;
+    if (key.section != section) {
+      section = key.section;
+      text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section);
+    }
+    text += fmt::format("{} = {}\n", key.name, shown(*value));
+  }
+  return text;
+}
+
+std::optional<std::string> continuation_conflict(const Scenario& was, const Scenario& now) {
+  const auto text = [](const std::optional<ConfigValue>& value) {
+    return value ? shown(*value) : std::string("not set");
+  };
+  for (const ConfigKey& key : config_keys()) {
+    if (key.may_change) continue;
+    const std::string before = text(key.get(was)), after = text(key.get(now));
+    if (before != after) return fmt::format("{}: was {}, is now {}", key.path(), before, after);
+  }
+  return std::nullopt;
+}
+
+}  // namespace wirepack

@@ -1,0 +1,202 @@
+#include "config_keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+#include <utility>
+
+#include "wirepack/core/error.hpp"
+
+namespace wirepack {
+
+namespace {
+
+constexpr std::array setup_names{std::pair{Setup::low_torsion, "low_torsion"},
+                                 std::pair{Setup::high_torsion, "high_torsion"}};
+constexpr std::array twist_names{std::pair{TwistCondition::free, "free"},
+                                 std::pair{TwistCondition::locked, "locked"}};
+
+// Access to a member of a scenario, or to a member of a member.
+template <class Member>
+auto in(Member Scenario::*member) {
+  return [=](auto& scenario) -> auto& { return scenario.*member; };
+}
+template <class Part, class Member>
+auto in(Part Scenario::*part, Member Part::*member) {
+  return [=](auto& scenario) -> auto& { return scenario.*part.*member; };
+}
+
+ConfigKey named(std::string_view section, std::string_view name) {
+  ConfigKey key;
+  key.section = section;
+  key.name = name;
+  return key;
+}
+
+// A key that stands for one member of the scenario; `access` gives a reference to it.
+template <class Access>
+ConfigKey member(std::string_view section, std::string_view name, Access access) {
+  using Member = std::remove_reference_t<decltype(access(std::declval<Scenario&>()))>;
+  ConfigKey key = named(section, name);
+  if constexpr (std::is_same_v<Member, bool>) {
+    key.type = ConfigType::boolean;
+    key.set = [access](Scenario& s, const ConfigValue& v) { access(s) = std::get<bool>(v); };
+    key.get = [access](const Scenario& s) { return ConfigValue(access(s)); };
+  } else if constexpr (std::is_integral_v<Member>) {
+    key.type = ConfigType::integer;
+    key.smallest = std::is_unsigned_v<Member> ? 0 : std::numeric_limits<int>::min();
+    key.largest = std::is_same_v<Member, int> ? std::numeric_limits<int>::max()
+                                              : std::numeric_limits<std::int64_t>::max();
+    key.set = [access](Scenario& s, const ConfigValue& v) {
+      access(s) = static_cast<Member>(std::get<std::int64_t>(v));
+    };
+    key.get = [access](const Scenario& s) {
+      return ConfigValue(static_cast<std::int64_t>(access(s)));
+    };
+  } else {
+    key.set = [access](Scenario& s, const ConfigValue& v) { access(s) = std::get<double>(v); };
+    key.get = [access](const Scenario& s) { return ConfigValue(access(s)); };
+  }
+  return key;
+}
+
+template <class Access>
+ConfigKey limit(std::string_view name, Access access) {
+  using Value =
+      typename std::remove_reference_t<decltype(access(std::declval<Scenario&>()))>::value_type;
+  ConfigKey key = named("stop", name);
+  key.type = std::is_same_v<Value, double> ? ConfigType::number : ConfigType::integer;
+  key.may_change = true;
+  key.set = [access](Scenario& s, const ConfigValue& v) { access(s) = std::get<Value>(v); };
+  key.get = [access](const Scenario& s) {
+    const std::optional<Value> value = access(s);
+    return value ? std::optional<ConfigValue>(*value) : std::nullopt;
+  };
+  return key;
+}
+
+template <class Names, class Access>
+ConfigKey choice(std::string_view section, std::string_view name, const Names& names,
+                 Access access) {
+  ConfigKey key = named(section, name);
+  key.type = ConfigType::choice;
+  for (const auto& [value, text] : names) key.choices.emplace_back(text);
+  key.set = [access, names](Scenario& s, const ConfigValue& v) {
+    for (const auto& [value, text] : names) {
+      if (std::get<std::string>(v) == text) access(s) = value;
+    }
+  };
+  key.get = [access, names](const Scenario& s) {
+    ConfigValue result;
+    for (const auto& [value, text] : names) {
+      if (access(s) == value) result = std::string(text);
+    }
+    return result;
+  };
+  return key;
+}
+
+// A choice of which this version has one value only.
+ConfigKey only(std::string_view section, std::string_view name, std::string_view value,
+               std::vector<std::string_view> later) {
+  ConfigKey key = named(section, name);
+  key.type = ConfigType::choice;
+  key.choices = {value};
+  key.later_choices = std::move(later);
+  key.set = [](Scenario&, const ConfigValue&) {};
+  key.get = [value](const Scenario&) { return ConfigValue(std::string(value)); };
+  return key;
+}
+
+ConfigKey precurvature() {
+  ConfigKey key = named("wire", "precurvature");
+  key.set = [](Scenario& s, const ConfigValue& v) {
+    s.wire.rest_darboux = Vec3(0, std::get<double>(v), 0);
+  };
+  key.get = [](const Scenario& s) {
+    const Vec3& k = s.wire.rest_darboux;
+    if (k.x() != 0 || k.z() != 0) {
+      throw InvalidInput(
+          "wire.precurvature: only a rest curvature (0, k, 0) can be written as a configuration");
+    }
+    return ConfigValue(k.y());
+  };
+  return key;
+}
+
+// Only a method that has inertia uses it; quasi-static runs of the same scenario accept it.
+ConfigKey density() {
+  ConfigKey key = named("wire", "density");
+  key.positive = true;
+  key.set = [](Scenario&, const ConfigValue&) {};
+  key.get = [](const Scenario&) { return std::nullopt; };
+  return key;
+}
+
+ConfigKey seed() {
+  ConfigKey key = member("packing", "seed", in(&Scenario::seed));
+  key.get = [](const Scenario& s) {
+    if (s.seed > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
+      throw InvalidInput("packing.seed: TOML has no integers above 2^63 - 1");
+    }
+    return ConfigValue(static_cast<std::int64_t>(s.seed));
+  };
+  return key;
+}
+
+ConfigKey may_change(ConfigKey key) {
+  key.may_change = true;
+  return key;
+}
+
+}  // namespace
+
+std::vector<ConfigKey> config_keys() {
+  return {
+      choice("packing", "setup", setup_names, in(&Scenario::setup)),
+      only("packing", "method", "quasistatic", {"dynamic"}),
+      seed(),
+      member("wire", "radius", in(&Scenario::wire, &RodParams::radius)),
+      member("wire", "youngs_modulus", in(&Scenario::wire, &RodParams::youngs_modulus)),
+      member("wire", "poisson_ratio", in(&Scenario::wire, &RodParams::poisson_ratio)),
+      member("wire", "stretch_multiplier", in(&Scenario::wire, &RodParams::stretch_multiplier)),
+      member("wire", "edge_length", in(&Scenario::wire, &RodParams::edge_length)),
+      precurvature(),
+      density(),
+      only("cavity", "shape", "sphere", {}),
+      member("cavity", "radius", in(&Scenario::cavity, &SphericalCavity::radius)),
+      member("cavity", "wall_stiffness", in(&Scenario::wall_stiffness)),
+      choice("nozzle", "twist", twist_names, in(&Scenario::nozzle_twist)),
+      member("contact", "enabled", in(&Scenario::contact_enabled)),
+      member("contact", "stiffness", in(&Scenario::contact, &ContactParams::stiffness)),
+      member("contact", "excluded_arc_length",
+             in(&Scenario::contact, &ContactParams::excluded_arc_length)),
+      member("insertion", "increment", in(&Scenario::insertion, &InsertionOptions::increment)),
+      member("insertion", "perturbation",
+             in(&Scenario::insertion, &InsertionOptions::perturbation)),
+      limit("scaled_force", in(&Scenario::stop, &StopLimits::scaled_force)),
+      limit("force", in(&Scenario::stop, &StopLimits::force)),
+      limit("density", in(&Scenario::stop, &StopLimits::density)),
+      limit("length", in(&Scenario::stop, &StopLimits::length)),
+      limit("increments", in(&Scenario::stop, &StopLimits::increments)),
+      member("minimizer", "tolerance", in(&Scenario::minimizer, &MinimizerOptions::tolerance)),
+      member("minimizer", "max_evaluations",
+             in(&Scenario::minimizer, &MinimizerOptions::max_evaluations)),
+      member("minimizer", "memory", in(&Scenario::minimizer, &MinimizerOptions::memory)),
+      member("minimizer", "refactor_every",
+             in(&Scenario::minimizer, &MinimizerOptions::refactor_every)),
+      member("minimizer", "shift", in(&Scenario::minimizer, &MinimizerOptions::shift)),
+      only("friction", "model", "none", {"coulomb"}),
+      may_change(member("output", "frame_every_density",
+                        in(&Scenario::output, &OutputOptions::frame_every_density))),
+      may_change(member("output", "checkpoint_every_seconds",
+                        in(&Scenario::output, &OutputOptions::checkpoint_every_seconds))),
+  };
+}
+
+std::vector<LaterKey> later_keys() {
+  return {{"wire", "reference_shape"},    {"friction", "static"}, {"friction", "dynamic"},
+          {"friction", "slip_tolerance"}, {"dynamics", ""},       {"imperfection", ""}};
+}
+
+}  // namespace wirepack

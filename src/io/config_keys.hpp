@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "wirepack/packing/scenario.hpp"
+
+namespace wirepack {
+
+using ConfigValue = std::variant<bool, std::int64_t, double, std::string>;
+
+enum class ConfigType { boolean, integer, number, choice };
+
+/// One key of the configuration: what reading, messages and writing all go by.
+struct ConfigKey {
+  std::string_view section, name;
+  ConfigType type = ConfigType::number;
+  std::vector<std::string_view> choices;        ///< values of a choice
+  std::vector<std::string_view> later_choices;  ///< known, but not in this version
+  std::int64_t smallest = std::numeric_limits<std::int64_t>::min();  ///< of an integer
+  std::int64_t largest = std::numeric_limits<std::int64_t>::max();
+  bool positive =
+      false;  ///< a number that problems(Scenario) cannot check, as it has no place there
+  bool may_change = false;  ///< of no influence on the increments of a run
+  std::function<void(Scenario&, const ConfigValue&)> set;
+  /// Nothing when the key has no value: a limit that is not set.
+  std::function<std::optional<ConfigValue>(const Scenario&)> get;
+
+  std::string path() const { return std::string(section) + "." + std::string(name); }
+};
+
+/// All keys, in the order in which they are written.
+std::vector<ConfigKey> config_keys();
+
+/// Keys that belong to wirepack, but not to this version; an empty name stands for all of a section.
+struct LaterKey {
+  std::string_view section, name;
+};
+std::vector<LaterKey> later_keys();
+
+}  // namespace wirepack

@@ -1,0 +1,186 @@
+#include "config_text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <toml++/toml.h>
+#include <tuple>
+
+namespace wirepack {
+
+namespace {
+
+constexpr std::size_t longest_shown = 60;
+// Names joined by a hundred thousand dots are tables so deep that destroying them overflows the
+// stack; no sensible line is that long.
+constexpr std::size_t longest_line = 4096;
+
+// Text of a user in a message: without control characters, which a terminal would obey, and short.
+std::string printable(std::string_view text, std::size_t longest = longest_shown) {
+  std::string result(text.substr(0, longest));
+  // a character of UTF-8 that was cut in two goes as a whole
+  if (text.size() > longest) {
+    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80) {
+      result.pop_back();
+    }
+    if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
+    result += "...";
+  }
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return result;
+}
+
+std::string place(const std::string& source, const toml::source_region& region) {
+  return fmt::format("{}:{}:{}", source, region.begin.line, region.begin.column);
+}
+
+std::optional<ConfigValue> value_of(const toml::node& node) {
+  if (const auto* v = node.as_boolean()) return ConfigValue(v->get());
+  if (const auto* v = node.as_integer()) return ConfigValue(v->get());
+  if (const auto* v = node.as_floating_point()) return ConfigValue(v->get());
+  if (const auto* v = node.as_string()) return ConfigValue(v->get());
+  return std::nullopt;
+}
+
+std::string shown_node(const toml::node& node) {
+  if (const auto value = value_of(node)) return shown(*value);
+  if (node.is_table()) return "{...}";
+  if (node.is_array()) return "[...]";
+  return "a date or time";
+}
+
+// Number of the first line that is too long, or 0.
+std::size_t overlong_line(std::string_view text) {
+  std::size_t number = 1;
+  for (std::size_t begin = 0; begin < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    if (end - begin > longest_line) return number;
+    begin = end + 1;
+  }
+  return 0;
+}
+
+struct Placed {
+  GivenKey key;
+  std::uint32_t line, column;
+};
+
+void collect(const toml::table& root, const std::string& source, ConfigText& result) {
+  std::vector<Placed> found;
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, GivenSection>> sections;
+  for (const auto& [section, node] : root) {
+    const std::string section_name = printable(section.str());
+    const toml::source_position at = section.source().begin;
+    const toml::table* table = node.as_table();
+    if (table == nullptr) {
+      result.problems.push_back(
+          fmt::format("{}: {} = {}: is outside of a section; every key belongs to one, such as "
+                      "radius to [cavity]",
+                      place(source, section.source()), section_name, shown_node(node)));
+      continue;
+    }
+    sections.emplace_back(at.line, at.column,
+                          GivenSection{section_name, place(source, section.source())});
+    for (const auto& [name, value] : *table) {
+      const toml::source_region& region = name.source();
+      found.push_back({GivenKey{section_name, printable(name.str()), value_of(value),
+                                shown_node(value), place(source, region)},
+                       region.begin.line, region.begin.column});
+    }
+  }
+  // tables are sorted by name; messages go along the text
+  std::sort(found.begin(), found.end(), [](const Placed& a, const Placed& b) {
+    return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+  });
+  std::sort(sections.begin(), sections.end(), [](const auto& a, const auto& b) {
+    return std::tie(std::get<0>(a), std::get<1>(a)) < std::tie(std::get<0>(b), std::get<1>(b));
+  });
+  for (Placed& p : found) result.keys.push_back(std::move(p.key));
+  for (auto& s : sections) result.sections.push_back(std::move(std::get<2>(s)));
+}
+
+// The value as TOML, or the bare text where it is none: `--set packing.setup=high_torsion`.
+GivenKey parse_override_value(const std::string& text) {
+  GivenKey key;
+  try {
+    const toml::table table = toml::parse("value = " + text);
+    const toml::node* value = table.get("value");
+    if (table.size() == 1 && value != nullptr) {
+      key.value = value_of(*value);
+      key.shown = shown_node(*value);
+      return key;
+    }
+  } catch (const toml::parse_error&) {  // NOLINT(bugprone-empty-catch): it is a bare string
+  }
+  key.value = ConfigValue(text);
+  key.shown = shown(*key.value);
+  return key;
+}
+
+void apply(const ConfigOverride& change, ConfigText& result) {
+  const std::string& text = change.assignment;
+  const std::string origin = printable(change.origin, 120);
+  const auto equals = text.find('=');
+  const auto dot = text.find('.');
+  const bool complete = equals != std::string::npos && dot != std::string::npos && dot > 0 &&
+                        dot + 1 < equals && equals + 1 < text.size() && text.size() <= longest_line;
+  if (!complete) {
+    result.problems.push_back(
+        fmt::format("{}: must have the form section.key=value, such as cavity.radius=10", origin));
+    return;
+  }
+  GivenKey key = parse_override_value(text.substr(equals + 1));
+  key.section = printable(text.substr(0, dot));
+  key.name = printable(text.substr(dot + 1, equals - dot - 1));
+  key.where = origin;
+  const auto same = [&](const GivenKey& k) {
+    return k.section == key.section && k.name == key.name;
+  };
+  std::erase_if(result.keys, same);
+  const bool known = std::any_of(result.sections.begin(), result.sections.end(),
+                                 [&](const GivenSection& s) { return s.name == key.section; });
+  if (!known) result.sections.push_back({key.section, origin});
+  result.keys.push_back(std::move(key));
+}
+
+}  // namespace
+
+std::string shown(const ConfigValue& value) {
+  if (const bool* v = std::get_if<bool>(&value)) return *v ? "true" : "false";
+  if (const auto* v = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *v);
+  if (const auto* v = std::get_if<std::string>(&value)) return '"' + printable(*v) + '"';
+  std::string text = fmt::format("{}", std::get<double>(value));
+  if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
+  return text;
+}
+
+ConfigText read_config_text(std::string_view text, const std::string& source,
+                            const std::vector<ConfigOverride>& overrides) {
+  ConfigText result;
+  if (text.find('\0') != std::string_view::npos) {
+    result.problems.push_back(source + ": is not a text file");
+    return result;
+  }
+  if (const std::size_t line = overlong_line(text); line > 0) {
+    result.problems.push_back(
+        fmt::format("{}:{}:1: the line has more than {} characters", source, line, longest_line));
+    return result;
+  }
+  try {
+    collect(toml::parse(text), source, result);
+  } catch (const toml::parse_error& error) {
+    result.problems.push_back(
+        fmt::format("{}: {}", place(source, error.source()), printable(error.description(), 300)));
+    return result;
+  }
+  if (result.keys.empty() && result.problems.empty()) {
+    result.problems.push_back(source +
+                              ": has no key at all; give at least `radius = 10` in [cavity]");
+    return result;
+  }
+  for (const ConfigOverride& change : overrides) apply(change, result);
+  return result;
+}
+
+}  // namespace wirepack

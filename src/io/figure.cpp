@@ -1,0 +1,219 @@
+#include "wirepack/io/figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/core/rotation.hpp"
+#include "wirepack/observe/spool_model.hpp"
+
+extern char** environ;
+
+namespace wirepack {
+
+namespace {
+
+// Strands touch in a full packing; the model is drawn for the spacing seen in the experiment.
+constexpr double spool_spacing = 2.81;  // over a; Stoop et al. 2011, from cross-sections
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw FileError(path.string() + ": cannot be written");
+}
+
+// Runs gnuplot on NAME.gp inside the folder, without a shell.
+void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
+  const std::string chdir = "cd '" + folder.string() + "'";
+  const std::string script = "load '" + name + ".gp'";
+  std::array<std::string, 5> words{"gnuplot", "-e", chdir, "-e", script};
+  std::array<char*, 6> arguments{};
+  for (std::size_t k = 0; k < words.size(); ++k) arguments[k] = words[k].data();
+  pid_t child = 0;
+  if (posix_spawnp(&child, "gnuplot", nullptr, nullptr, arguments.data(), environ) != 0) {
+    throw FileError("gnuplot cannot be started: install it, or draw " +
+                    (folder / (name + ".gp")).string() + " elsewhere");
+  }
+  int status = 0;
+  if (waitpid(child, &status, 0) != child || status != 0) {
+    throw FileError("gnuplot failed on " + (folder / (name + ".gp")).string());
+  }
+}
+
+void draw(const std::filesystem::path& folder, const std::string& name, const std::string& data,
+          const std::string& commands, const std::string& size, const std::string& pixels) {
+  std::filesystem::create_directories(folder);
+  write_file(folder / (name + ".dat"), data);
+  std::string script = fmt::format("# draws {0}.png, {0}.pdf and {0}.svg from {0}.dat\n", name);
+  const auto add = [&](const std::string& terminal, const std::string& extension) {
+    script += fmt::format("set terminal {}\nset output '{}.{}'\n", terminal, name, extension);
+    script += commands + "unset output\n";
+  };
+  add("pngcairo size " + pixels + " font 'sans,20' linewidth 2", "png");
+  add("pdfcairo size " + size + " font 'sans,12'", "pdf");
+  add("svg size 800,800 font 'sans,16'", "svg");
+  write_file(folder / (name + ".gp"), script);
+  run_gnuplot(folder, name);
+}
+
+// Points of the centreline, `parts` to an edge, on cubics with the mean tangents at the nodes.
+struct SmoothLine {
+  Points points;
+  Eigen::VectorXd colour;
+};
+
+SmoothLine smooth_line(const Points& nodes, const Eigen::VectorXd& colour, Index parts) {
+  const Index n = nodes.cols();
+  const auto slope = [&](Index i) -> Vec3 {
+    return (nodes.col(std::min(i + 1, n - 1)) - nodes.col(std::max<Index>(i - 1, 0))) /
+           static_cast<double>(std::min(i + 1, n - 1) - std::max<Index>(i - 1, 0));
+  };
+  SmoothLine line{Points(3, (n - 1) * parts + 1), Eigen::VectorXd((n - 1) * parts + 1)};
+  for (Index k = 0; k < line.points.cols(); ++k) {
+    const Index i = std::min(k / parts, n - 2);
+    const double u = static_cast<double>(k - i * parts) / static_cast<double>(parts);
+    line.points.col(k) = (1 + 2 * u) * (1 - u) * (1 - u) * nodes.col(i) +
+                         u * (1 - u) * (1 - u) * slope(i) + u * u * (3 - 2 * u) * nodes.col(i + 1) +
+                         u * u * (u - 1) * slope(i + 1);
+    line.colour[k] = (1 - u) * colour[i] + u * colour[i + 1];
+  }
+  return line;
+}
+
+// Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline.
+std::string tube(const SmoothLine& line, double radius) {
+  constexpr int around = 12;
+  std::string text = "# x y z colour\n";
+  const Index n = line.points.cols();
+  const auto direction = [&](Index k) -> Vec3 {
+    return (line.points.col(std::min(k + 1, n - 1)) - line.points.col(std::max<Index>(k - 1, 0)))
+        .normalized();
+  };
+  Quat frame = frame_with_tangent(direction(0));
+  for (Index k = 0; k < n; ++k) {
+    frame = transport(third_axis(frame), direction(k)) * frame;
+    for (int j = 0; j <= around; ++j) {
+      const double angle = 2 * pi * j / around;
+      const Vec3 r =
+          line.points.col(k) + frame * Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+      text += fmt::format("{:.4f} {:.4f} {:.4f} {:.4g}\n", r.x(), r.y(), r.z(), line.colour[k]);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+SpoolModel spool_of(const Scenario& scenario) {
+  return {scenario.cavity, scenario.wire.radius, stiffness(scenario.wire).bend,
+          spool_spacing * scenario.wire.radius};
+}
+
+// Blocks for gnuplot's `index`: one to each run, then the model of each run.
+std::string curves(const std::vector<FigureRun>& runs) {
+  std::string text;
+  for (const FigureRun& run : runs) {
+    const double radius = run.scenario.cavity.radius;
+    const double bend = stiffness(run.scenario.wire).bend;
+    text += fmt::format("# {}\n# packing_density F*R^2/YI E_bend*R/YI E_twist*R/YI\n", run.label);
+    for (const HistoryRow& row : run.history) {
+      text += fmt::format("{} {} {} {}\n", row.packing_density, row.scaled_force,
+                          row.energy_bend * radius / bend, row.energy_twist * radius / bend);
+    }
+    text += "\n\n";
+  }
+  for (const FigureRun& run : runs) {
+    const SpoolModel spool = spool_of(run.scenario);
+    const double radius = run.scenario.cavity.radius;
+    const double last = run.history.empty() ? 0 : run.history.back().packing_density;
+    text += fmt::format("# inverse spool beside {}\n# packing_density F*R^2/YI E_bend*R/YI\n",
+                        run.label);
+    for (int k = 0; k <= 100; ++k) {
+      const double phi = std::min(last, 0.99 * spool.largest_density()) * k / 100;
+      text += fmt::format("{} {} {}\n", phi,
+                          spool.injection_force(phi) * radius * radius / spool.bend_stiffness,
+                          spool.bend_energy(phi) * radius / spool.bend_stiffness);
+    }
+    text += "\n\n";
+  }
+  return text;
+}
+
+// One plot command: every run in column `column`, then the model of the first run.
+std::string plot(const std::vector<FigureRun>& runs, const std::string& name, int column,
+                 const std::string& quantity) {
+  std::string text = "plot ";
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    text += fmt::format("'{}.dat' index {} using 1:{} with lines lw 1.5 title \"{}{}\", ", name, k,
+                        column, quantity, runs[k].label);
+  }
+  return text + fmt::format(
+                    "'{}.dat' index {} using 1:{} with lines dashtype 2 lc rgb '#555555' "
+                    "title 'inverse spool, d_s = 2.81 a'",
+                    name, runs.size(), column);
+}
+
+constexpr const char* curve_style =
+    "set xlabel 'packing density {/Symbol f}'\nset key top left Left reverse\nset grid lc rgb "
+    "'#dddddd'\nset border 3\nset tics nomirror\n";
+
+}  // namespace
+
+void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
+                  const PackingFrame& frame) {
+  const Index n = frame.rod.node_count();
+  const double radius = scenario.cavity.radius;
+  const double unit = stiffness(scenario.wire).bend / (2 * radius * radius);
+  Eigen::VectorXd colour(n);
+  for (Index i = 0; i < n; ++i) {
+    colour[i] = frame.bend_energy[i] / (node_length(frame.rod, scenario.wire, i) * unit);
+  }
+  // the range of colours leaves out the few largest values
+  std::vector<double> sorted(colour.data(), colour.data() + n);
+  std::sort(sorted.begin(), sorted.end());
+  const double top =
+      std::max(1e-3, sorted[static_cast<std::size_t>(0.98 * static_cast<double>(n - 1))]);
+  const Index parts = n < 2000 ? 3 : 1;
+  const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
+  const std::string commands =
+      "unset border\nunset tics\nunset key\nset view 65,30,1.6\nset view equal xyz\n"
+      "set xrange " +
+      range + "\nset yrange " + range + "\nset zrange " + range +
+      fmt::format("\nset cbrange [0:{:.3g}]\n", top) +
+      "set palette defined (0 '#2b5c8a', 0.35 '#6fb1c8', 0.6 '#f2e2b0', 1 '#b5342c')\n"
+      "set colorbox user origin 0.88,0.25 size 0.02,0.5\nset cbtics\n"
+      "set cblabel 'bending energy per length / (YI / 2R^2)'\n"
+      "set pm3d depthorder lighting primary 0.45 specular 0.25\n"
+      "splot 'packing.dat' using 1:2:3:4 with pm3d\n";
+  draw(folder, "packing", tube(smooth_line(frame.rod.nodes, colour, parts), scenario.wire.radius),
+       commands, "12cm,12cm", "1200,1200");
+}
+
+void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+  draw(folder, "force", curves(runs),
+       curve_style + std::string("set ylabel 'injection force F R^2 / YI'\nset yrange [0:*]\n") +
+           plot(runs, "force", 2, "") + "\n",
+       "14cm,10cm", "1200,860");
+}
+
+void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+  std::string twist;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    twist += fmt::format(
+        ", 'energy.dat' index {} using 1:4 with lines dashtype 3 title "
+        "\"twist, {}\"",
+        k, runs[k].label);
+  }
+  draw(folder, "energy", curves(runs),
+       curve_style + std::string("set ylabel 'energy E R / YI'\nset yrange [0:*]\n") +
+           plot(runs, "energy", 3, "bending, ") + twist + "\n",
+       "14cm,10cm", "1200,860");
+}
+
+}  // namespace wirepack

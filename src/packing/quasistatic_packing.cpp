@@ -1,0 +1,301 @@
+#include "wirepack/packing/quasistatic_packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wirepack/contact/passage.hpp"
+#include "wirepack/core/error.hpp"
+#include "wirepack/core/random.hpp"
+#include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/stretch_energy.hpp"
+#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/wall_energy.hpp"
+#include "wirepack/feed/feeder.hpp"
+
+namespace wirepack {
+
+namespace {
+
+// An increment is taken in halves where it fails; a part this small that fails ends the run.
+constexpr double smallest_substep = 1.0 / 64;
+// Where int F dL misses the change of energy by more than this share, the increment is halved
+// until a jump can be told from a kink of the force; what is left then is a snap.
+constexpr double resolved_share = 0.02;
+constexpr double resolving_substep = 1.0 / 8;
+
+// A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
+// its frames drop out of the minimization.
+bool torsion_free(const Scenario& scenario) {
+  return scenario.nozzle_twist == TwistCondition::free && scenario.wire.rest_darboux.isZero();
+}
+
+Stiffness joint_stiffness(const Scenario& scenario) {
+  Stiffness s = stiffness(scenario.wire);
+  if (torsion_free(scenario)) s.twist = 0;
+  return s;
+}
+
+}  // namespace
+
+/// The terms of one scenario, and what rest means in its units.
+struct QuasistaticPacking::Model {
+  explicit Model(const Scenario& scenario)
+      : stretch(scenario.wire),
+        joints(scenario.wire, joint_stiffness(scenario)),
+        wall(scenario.wire, scenario.cavity, scenario.wall_stiffness),
+        contact(scenario.wire, scenario.contact),
+        nozzle(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist)) {
+    const double bend = stiffness(scenario.wire).bend;
+    force_unit = bend / (scenario.cavity.radius * scenario.cavity.radius);
+    options.force_tolerance = scenario.minimizer.tolerance * force_unit;
+    options.moment_tolerance = options.force_tolerance * scenario.wire.radius;
+    options.shift = scenario.minimizer.shift * bend;
+    options.method = scenario.minimizer;
+    // two strands that close in on each other by 0.8 a each still touch on their old sides
+    options.guard = {0.8 * scenario.wire.radius,
+                     10 * scenario.wire.youngs_modulus * scenario.wire.edge_length, nullptr};
+    if (scenario.contact_enabled) {
+      const Index separation =
+          first_touching_neighbor({2 * scenario.wire.radius, scenario.wire.edge_length,
+                                   scenario.contact.excluded_arc_length});
+      options.guard.admissible = [separation](const RodState& before, const RodState& after) {
+        return passed_pairs(before, after, separation).empty();
+      };
+    }
+  }
+
+  StretchEnergy stretch;
+  JointEnergy joints;
+  WallEnergy wall;
+  SelfContactEnergy contact;
+  Nozzle nozzle;
+  EquilibriumOptions options;
+  double force_unit;  // YI / R^2
+};
+
+namespace {
+
+EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& model, RodState& rod) {
+  HeldUnknowns held = held_by(model.nozzle, rod);
+  if (torsion_free(scenario)) held.angle.assign(held.angle.size(), true);
+  EquilibriumReport report;
+  if (scenario.contact_enabled) {
+    TotalEnergy energy(model.stretch, model.joints, model.wall, model.contact);
+    report = solve_equilibrium(rod, held, functions_of(energy), model.options);
+  } else {
+    TotalEnergy energy(model.stretch, model.joints, model.wall);
+    report = solve_equilibrium(rod, held, functions_of(energy), model.options);
+  }
+  if (torsion_free(scenario)) remove_twist(rod);
+  return report;
+}
+
+std::optional<StopReason> failure_of(const EquilibriumReport& report) {
+  switch (report.end) {
+    case EquilibriumEnd::converged:
+      return std::nullopt;
+    case EquilibriumEnd::inadmissible:
+      return StopReason::strands_passed;
+    case EquilibriumEnd::evaluation_limit:
+    case EquilibriumEnd::stalled:
+      break;
+  }
+  return StopReason::no_equilibrium;
+}
+
+// The straight wire is a saddle under compression; until the first coil has formed, every start is
+// moved off it.
+void perturb(const Scenario& scenario, RodState& rod, std::uint64_t& random_state) {
+  const double first_coil = 2 * (1 + pi) * scenario.cavity.radius;
+  if (total_rest_length(rod, scenario.wire) > first_coil) return;
+  Random random(random_state);
+  const double amplitude = scenario.insertion.perturbation * scenario.wire.radius;
+  const FrameChart chart(rod, HeldUnknowns::none(rod));
+  Eigen::VectorXd x = chart.unknowns();
+  for (Index i = 0; i + 1 < rod.node_count(); ++i) {
+    for (int c = 0; c < 3; ++c) x[chart.unknown(i, c)] += amplitude * random.symmetric();
+  }
+  chart.set_state(x, rod);
+  random_state = random.state();
+}
+
+void note_crossings(std::vector<ForceCrossing>& crossings, double force, double density) {
+  // levels 10^(k/2) from 10^-3 on; a force passes each of them once
+  for (int k = static_cast<int>(crossings.size()) - 6;; ++k) {
+    const double level = std::pow(10.0, k / 2.0);
+    if (!(force >= level)) return;
+    crossings.push_back({level, density});
+  }
+}
+
+HistoryRow observe(const Scenario& scenario, QuasistaticPacking::Model& model,
+                   const RodState& rod) {
+  HistoryRow row;
+  Gradient unused;
+  set_zero(unused, rod);
+  const JointEnergies joints = joint_energies(scenario.wire, rod);
+  row.energy_stretch = model.stretch.add_gradient(rod, unused);
+  row.energy_bend = joints.bend;
+  row.energy_twist = joints.twist;
+  row.energy_wall = model.wall.add_gradient(rod, unused);
+  for (Index i = 0; i < rod.node_count(); ++i) {
+    row.max_overlap = std::max(row.max_overlap,
+                               -wall_gap(scenario.cavity, rod.nodes.col(i), scenario.wire.radius));
+  }
+  if (scenario.contact_enabled) {
+    model.contact.prepare(rod);
+    row.energy_contact = model.contact.add_gradient(rod, unused);
+    const std::vector<SelfContact> contacts = model.contact.contacts(rod);
+    row.contacts = static_cast<double>(contacts.size());
+    for (const SelfContact& touch : contacts) {
+      // beyond their own edge the lines are extrapolations of curved strands
+      const bool inside = std::abs(touch.line.s) <= 0.5 && std::abs(touch.line.t) <= 0.5;
+      if (inside) row.max_overlap = std::max(row.max_overlap, touch.overlap);
+    }
+  }
+  row.inserted_length = total_rest_length(rod, scenario.wire);
+  const double a = scenario.wire.radius;
+  const double radius = scenario.cavity.radius;
+  row.packing_density = 3 * a * a * row.inserted_length / (4 * radius * radius * radius);
+  return row;
+}
+
+}  // namespace
+
+QuasistaticPacking::QuasistaticPacking(const Scenario& scenario)
+    : QuasistaticPacking(scenario, PackingProgress{}) {
+  progress_.rod = initial_wire(model_->nozzle, scenario_.wire);
+  progress_.random_state = scenario_.seed;
+  const EquilibriumReport start = relax(scenario_, *model_, progress_.rod);
+  if (start.end != EquilibriumEnd::converged) {
+    throw NumericalFailure("the first two edges in the nozzle do not come to rest");
+  }
+  progress_.last = observe(scenario_, *model_, progress_.rod);
+  progress_.last.energy_total = start.energy;
+  progress_.last.force = start.inlet_length_force;
+  progress_.balance.work = start.energy;
+}
+
+QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, PackingProgress progress)
+    : scenario_(scenario), progress_(std::move(progress)) {
+  const std::vector<std::string> found = problems(scenario);
+  if (!found.empty()) {
+    std::string text;
+    for (const std::string& problem : found) text += (text.empty() ? "" : "\n") + problem;
+    throw InvalidInput(text);
+  }
+  model_ = std::make_unique<Model>(scenario_);
+}
+
+QuasistaticPacking::~QuasistaticPacking() = default;
+QuasistaticPacking::QuasistaticPacking(QuasistaticPacking&&) noexcept = default;
+
+double QuasistaticPacking::length_of_step() const {
+  double step = scenario_.insertion.increment * progress_.substep;
+  const double radius = scenario_.cavity.radius;
+  const double a = scenario_.wire.radius;
+  const double length = progress_.last.inserted_length;
+  if (scenario_.stop.length) step = std::min(step, *scenario_.stop.length - length);
+  if (scenario_.stop.density) {
+    const double full = *scenario_.stop.density * 4 * radius * radius * radius / (3 * a * a);
+    step = std::min(step, full - length);
+  }
+  return step;
+}
+
+std::optional<StopReason> QuasistaticPacking::advance() {
+  std::int64_t evaluations = 0;
+  while (true) {
+    PackingProgress next = progress_;
+    const StepResult result = step(next);
+    evaluations += result.evaluations;
+    const bool unresolved = result.unresolved && progress_.substep > resolving_substep;
+    if (!result.failure && !unresolved) {
+      next.last.evaluations = static_cast<double>(evaluations);
+      next.substep = std::min(1.0, 2 * next.substep);
+      progress_ = std::move(next);
+      return reached_limit(scenario_, progress_.last);
+    }
+    if (progress_.substep <= smallest_substep) return result.failure;
+    progress_.substep /= 2;
+    if (result.failure) ++progress_.rollbacks;
+  }
+}
+
+QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
+  StepResult result;
+  RodState& rod = next.rod;
+  double energy_before = next.last.energy_total;
+  double force_before = next.last.force;
+  if (split_is_due(rod, scenario_.wire)) {
+    split_inlet(rod, model_->nozzle, scenario_.wire);
+    const EquilibriumReport split = relax(scenario_, *model_, rod);
+    result.evaluations += split.evaluations;
+    next.rollbacks += split.rounds_taken_back;
+    result.failure = failure_of(split);
+    if (result.failure) return result;
+    next.balance.remeshing += energy_before - split.energy;
+    energy_before = split.energy;
+    force_before = split.inlet_length_force;
+  }
+  const double fed = length_of_step();
+  perturb(scenario_, rod, next.random_state);
+  insert(rod, fed);
+  const EquilibriumReport rest = relax(scenario_, *model_, rod);
+  result.evaluations += rest.evaluations;
+  next.rollbacks += rest.rounds_taken_back;
+  result.failure = failure_of(rest);
+  if (result.failure) return result;
+  HistoryRow row = observe(scenario_, *model_, rod);
+  row.increment = next.last.increment + 1;
+  row.energy_total = rest.energy;
+  row.force = rest.inlet_length_force;
+  row.force_difference = (rest.energy - energy_before) / fed;
+  row.scaled_force = row.force / model_->force_unit;
+  row.residual = rest.residual * scenario_.minimizer.tolerance;
+  row.wall_seconds = next.last.wall_seconds;
+
+  const double work = fed * (force_before + row.force) / 2;
+  const double missing = work - (rest.energy - energy_before);
+  next.balance.work += work;
+  const double scale = fed * std::max(std::abs(row.force), std::abs(force_before));
+  const double noise = 10 * model_->options.force_tolerance * fed;
+  result.unresolved = std::abs(missing) > resolved_share * scale + noise;
+  if (result.unresolved && missing > 0) {
+    row.snap_energy = missing;
+    next.balance.released += missing;
+    ++next.snaps;
+  }
+  next.last = row;
+  const double a = scenario_.wire.radius;
+  note_crossings(next.scaled_crossings, row.scaled_force, row.packing_density);
+  note_crossings(next.absolute_crossings, row.force / (scenario_.wire.youngs_modulus * a * a),
+                 row.packing_density);
+  return result;
+}
+
+bool QuasistaticPacking::frame_is_due() const {
+  return progress_.last.packing_density >=
+         progress_.last_frame_density + scenario_.output.frame_every_density;
+}
+
+PackingFrame QuasistaticPacking::take_frame() {
+  progress_.last_frame_density = progress_.last.packing_density;
+  PackingFrame frame;
+  frame.rod = progress_.rod;
+  frame.increment = progress_.last.increment;
+  frame.inserted_length = progress_.last.inserted_length;
+  frame.packing_density = progress_.last.packing_density;
+  frame.force = progress_.last.force;
+  const NodeEnergies energies = node_energies(scenario_.wire, progress_.rod);
+  frame.bend_energy = energies.bend;
+  frame.twist_energy = energies.twist;
+  frame.wall_force = model_->wall.forces(progress_.rod);
+  if (scenario_.contact_enabled) {
+    model_->contact.prepare(progress_.rod);
+    frame.contacts = model_->contact.contacts(progress_.rod);
+  }
+  return frame;
+}
+
+}  // namespace wirepack

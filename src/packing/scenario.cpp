@@ -1,0 +1,111 @@
+#include "wirepack/packing/scenario.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace wirepack {
+
+Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius,
+                          double youngs_modulus) {
+  Scenario scenario;
+  scenario.setup = setup;
+  scenario.cavity = cavity;
+  scenario.wire.radius = wire_radius;
+  scenario.wire.youngs_modulus = youngs_modulus;
+  scenario.wire.edge_length = std::clamp(cavity.radius / 10, wire_radius / 2, 2 * wire_radius);
+  if (setup == Setup::high_torsion) {
+    scenario.nozzle_twist = TwistCondition::locked;
+    scenario.wire.rest_darboux = Vec3(0, 1 / (2 * cavity.radius), 0);
+  }
+  scenario.wall_stiffness = youngs_modulus;
+  scenario.contact.stiffness = youngs_modulus;
+  scenario.contact.excluded_arc_length = pi * wire_radius;
+  scenario.insertion.increment = scenario.wire.edge_length / 2;
+  scenario.stop.scaled_force = 10;
+  return scenario;
+}
+
+std::vector<std::string> problems(const Scenario& scenario) {
+  std::vector<std::string> found = problems(scenario.wire);
+  const auto require = [&](bool ok, const char* key, double value, const std::string& allowed) {
+    if (ok) return;
+    std::ostringstream text;
+    text << key << " = " << value << ": " << allowed;
+    found.push_back(text.str());
+  };
+  const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
+  const auto not_negative = [](double v) { return std::isfinite(v) && v >= 0; };
+  const std::string must_be_positive = "must be positive and finite";
+  const double a = scenario.wire.radius;
+  const double l = scenario.wire.edge_length;
+  const double radius = scenario.cavity.radius;
+
+  require(positive(radius), "cavity.radius", radius, must_be_positive);
+  if (positive(radius) && positive(a)) {
+    std::ostringstream allowed;
+    allowed << "must be at least twice wire.radius = " << a;
+    require(radius >= 2 * a, "cavity.radius", radius, allowed.str());
+    std::ostringstream largest;
+    largest << "must be at most 1000 times wire.radius = " << a;
+    require(radius <= 1000 * a, "cavity.radius", radius, largest.str());
+    if (radius >= 2 * a && positive(l)) {
+      std::ostringstream longest;
+      longest << "must be at most half of cavity.radius - wire.radius, " << (radius - a) / 2;
+      require(l <= (radius - a) / 2, "wire.edge_length", l, longest.str());
+      std::ostringstream shortest;
+      shortest << "must be at least a tenth of wire.radius = " << a;
+      require(l >= a / 10, "wire.edge_length", l, shortest.str());
+    }
+  }
+  require(positive(scenario.wall_stiffness), "cavity.wall_stiffness", scenario.wall_stiffness,
+          must_be_positive);
+  require(positive(scenario.contact.stiffness), "contact.stiffness", scenario.contact.stiffness,
+          must_be_positive);
+  require(positive(scenario.contact.excluded_arc_length), "contact.excluded_arc_length",
+          scenario.contact.excluded_arc_length, must_be_positive);
+  require(scenario.insertion.increment >= l / 1000 && scenario.insertion.increment <= l,
+          "insertion.increment", scenario.insertion.increment,
+          "must be at least a thousandth of wire.edge_length and at most all of it");
+  require(not_negative(scenario.insertion.perturbation) && scenario.insertion.perturbation <= 0.1,
+          "insertion.perturbation", scenario.insertion.perturbation,
+          "must be between 0 and 0.1 (wire radii)");
+
+  const StopLimits& stop = scenario.stop;
+  if (!stop.scaled_force && !stop.force && !stop.density && !stop.length && !stop.increments) {
+    found.emplace_back(
+        "stop = {}: needs at least one of scaled_force, force, density, length, increments");
+  }
+  if (stop.scaled_force) {
+    require(positive(*stop.scaled_force), "stop.scaled_force", *stop.scaled_force,
+            must_be_positive);
+  }
+  if (stop.force) require(positive(*stop.force), "stop.force", *stop.force, must_be_positive);
+  if (stop.density) {
+    require(positive(*stop.density) && *stop.density < 1, "stop.density", *stop.density,
+            "must be above 0 and below 1");
+  }
+  if (stop.length) require(positive(*stop.length), "stop.length", *stop.length, must_be_positive);
+  if (stop.increments) {
+    require(*stop.increments > 0, "stop.increments", static_cast<double>(*stop.increments),
+            "must be at least 1");
+  }
+
+  const MinimizerOptions& m = scenario.minimizer;
+  require(m.tolerance >= 1e-10 && m.tolerance <= 1, "minimizer.tolerance", m.tolerance,
+          "must be between 1e-10 and 1 (in units of YI / R^2)");
+  require(m.max_evaluations >= 1, "minimizer.max_evaluations", m.max_evaluations,
+          "must be at least 1");
+  require(m.memory >= 1 && m.memory <= 1000, "minimizer.memory", m.memory,
+          "must be between 1 and 1000");
+  require(m.refactor_every >= 2, "minimizer.refactor_every", m.refactor_every,
+          "must be at least 2");
+  require(positive(m.shift), "minimizer.shift", m.shift, must_be_positive);
+  require(positive(scenario.output.frame_every_density), "output.frame_every_density",
+          scenario.output.frame_every_density, must_be_positive);
+  require(not_negative(scenario.output.checkpoint_every_seconds), "output.checkpoint_every_seconds",
+          scenario.output.checkpoint_every_seconds, "must not be negative");
+  return found;
+}
+
+}  // namespace wirepack

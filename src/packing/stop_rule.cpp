@@ -1,0 +1,42 @@
+#include "wirepack/packing/stop_rule.hpp"
+
+namespace wirepack {
+
+std::string_view name_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::scaled_force:
+      return "scaled_force";
+    case StopReason::force:
+      return "force";
+    case StopReason::density:
+      return "density";
+    case StopReason::length:
+      return "length";
+    case StopReason::increments:
+      return "increments";
+    case StopReason::no_equilibrium:
+      return "no_equilibrium";
+    case StopReason::strands_passed:
+      return "strands_passed";
+  }
+  return "unknown";
+}
+
+std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryRow& row) {
+  const StopLimits& stop = scenario.stop;
+  const double a = scenario.wire.radius;
+  // lengths are sums of increments: a limit is reached to round-off
+  const auto reached = [](double value, const auto& limit) {
+    return limit && value >= static_cast<double>(*limit) * (1 - 1e-12);
+  };
+  if (reached(row.scaled_force, stop.scaled_force)) return StopReason::scaled_force;
+  if (reached(row.force / (scenario.wire.youngs_modulus * a * a), stop.force)) {
+    return StopReason::force;
+  }
+  if (reached(row.packing_density, stop.density)) return StopReason::density;
+  if (reached(row.inserted_length, stop.length)) return StopReason::length;
+  if (reached(row.increment, stop.increments)) return StopReason::increments;
+  return std::nullopt;
+}
+
+}  // namespace wirepack

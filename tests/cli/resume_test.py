@@ -1,0 +1,146 @@
+#!/usr/bin/python3
+"""Runs that are killed, stopped or continued end in the same bits as an undisturbed run."""
+
+import random
+import signal
+import time
+import unittest
+
+import h5py
+
+from support import ProgramTest, SMALL_RUN, check_readable, datasets, differing
+
+
+class Resume(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("run.toml", SMALL_RUN)
+
+    def run_whole(self, name="whole.h5", *arguments):
+        code, out, err = self.run_program("run", "run.toml", "-o", name, *arguments)
+        self.assertEqual(code, 0, err)
+        return self.folder / name
+
+    def test_two_runs_give_the_same_bits(self):
+        one = self.run_whole("one.h5")
+        other = self.run_whole("other.h5", "--threads", "3")
+        self.assertEqual(differing(one, other), [])
+        check_readable(self, one)
+
+    def test_a_run_killed_many_times_ends_in_the_same_bits(self):
+        start = time.monotonic()
+        whole = self.run_whole()
+        duration = time.monotonic() - start
+        choice = random.Random(7)
+        killed = self.folder / "killed.h5"
+        for attempt in range(40):
+            process = self.start("run", "run.toml", "-o", "killed.h5", "--resume")
+            time.sleep(choice.uniform(0.0, 0.5 * duration))
+            process.kill()
+            process.communicate()
+            if killed.exists():
+                check_readable(self, killed)
+            if process.returncode == 0:
+                break
+        code, _, err = self.run_program("run", "run.toml", "-o", "killed.h5", "--resume")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(differing(whole, killed), [])
+        self.assertEqual(self.names(), ["killed.h5", "run.toml", "whole.h5"])
+
+    def test_a_signal_saves_and_the_run_goes_on(self):
+        whole = self.run_whole()
+        for number in (signal.SIGTERM, signal.SIGINT):
+            name = f"stopped{int(number)}.h5"
+            # only the signal makes it save
+            arguments = ["--set", "output.checkpoint_every_seconds=1000"]
+            process = self.start("run", "run.toml", "-o", name, *arguments)
+            for line in process.stdout:
+                if line.split()[0] == "20":
+                    break
+            process.send_signal(number)
+            _, err = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 75, err)
+            self.assertIn("--resume", err)
+            self.assertGreaterEqual(check_readable(self, self.folder / name), 20)
+            with h5py.File(self.folder / name) as file:
+                self.assertEqual(file.attrs["finished"], 0)
+            code, _, err = self.run_program("run", "run.toml", "-o", name, "--resume")
+            self.assertEqual(code, 0, err)
+            self.assertEqual(differing(whole, self.folder / name), [])
+
+    def test_limits_may_change_and_other_keys_may_not(self):
+        whole = self.run_whole()
+        part = self.run_whole("part.h5", "--set", "stop.increments=25")
+        code, _, err = self.run_program(
+            "run", "run.toml", "-o", "part.h5", "--resume", "--set", "cavity.radius=5"
+        )
+        self.assertEqual(code, 2)
+        self.assertIn("cannot be continued with this configuration: cavity.radius: was 4.0", err)
+        code, _, err = self.run_program("run", "run.toml", "-o", "part.h5", "--resume")
+        self.assertEqual(code, 0, err)
+        first, second = datasets(whole), datasets(part)
+        for name, value in first.items():
+            same_by_bits = name.startswith(("history/", "checkpoint/nodes", "frames/000060/"))
+            if same_by_bits and "@" not in name:
+                self.assertEqual(value.tolist(), second[name].tolist(), name)
+
+    def test_a_finished_run_stays_as_it_is(self):
+        whole = self.run_whole()
+        before = whole.read_bytes()
+        code, out, err = self.run_program("run", "run.toml", "-o", "whole.h5", "--resume")
+        self.assertEqual(code, 0)
+        self.assertIn("is finished", err)
+        self.assertEqual(whole.read_bytes(), before)
+
+    def test_files_that_cannot_be_continued(self):
+        whole = self.run_whole().read_bytes()
+        damaged = bytearray(whole)
+        damaged[600:3000] = bytes(2400)
+        self.write("other.h5", b"")
+        with h5py.File(self.folder / "other.h5", "w") as file:
+            file["x"] = 1
+        self.write("new.h5", whole)
+        with h5py.File(self.folder / "new.h5", "a") as file:
+            file.attrs["format_version"] = 2
+        for name, content, part in [
+            ("text.h5", b"hello", "is not an HDF5 file"),
+            ("empty.h5", b"", "is not an HDF5 file"),
+            ("cut.h5", whole[: len(whole) // 2], "is damaged"),
+            ("holes.h5", bytes(damaged), "holes.h5: is"),
+            ("other.h5", None, "is not a result file of wirepack"),
+            ("new.h5", None, "has format version 2"),
+        ]:
+            with self.subTest(name):
+                path = self.folder / name
+                if content is not None:
+                    path.write_bytes(content)
+                before = path.read_bytes()
+                code, out, err = self.run_program("run", "run.toml", "-o", name, "--resume")
+                self.assertEqual((code, out), (5, ""), err)
+                self.assertIn(part, err)
+                self.assertEqual(len(err.splitlines()), 1, err)
+                self.assertEqual(path.read_bytes(), before)
+
+    def test_force_replaces(self):
+        self.write("old.h5", "something")
+        self.run_whole("old.h5", "--force")
+        check_readable(self, self.folder / "old.h5")
+
+    def test_the_columns_hold_what_their_names_say(self):
+        with h5py.File(self.run_whole()) as file:
+            history = {name: column[()] for name, column in file["history"].items()}
+            bend = 5 * 3.141592653589793 / 4  # YI of the default wire
+            for length, density in zip(history["inserted_length"], history["packing_density"]):
+                self.assertAlmostEqual(density, 3 * length / (4 * 4**3), places=12)
+            for force, scaled in zip(history["force"], history["scaled_force"]):
+                self.assertAlmostEqual(scaled, force * 16 / bend, places=9)
+            parts = sum(history[f"energy_{n}"] for n in ("stretch", "bend", "twist", "wall", "contact"))
+            for total, part in zip(history["energy_total"], parts):
+                self.assertAlmostEqual(total, part, places=9)
+            frame = file["frames/000060"]
+            self.assertAlmostEqual(frame["bend_energy"][()].sum(), history["energy_bend"][-1], places=9)
+            self.assertEqual(file.attrs["phi_max"], history["packing_density"].max())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "wirepack/packing/quasistatic_packing.hpp"
+
+namespace wirepack {
+namespace {
+
+struct PackedRun {
+  std::vector<HistoryRow> rows;
+  PackingProgress progress;
+  StopReason stop = StopReason::increments;
+};
+
+PackedRun pack(const Scenario& scenario) {
+  PackedRun run;
+  QuasistaticPacking packing(scenario);
+  std::optional<StopReason> stop;
+  while (!stop) {
+    stop = packing.advance();
+    run.rows.push_back(packing.progress().last);
+  }
+  run.stop = *stop;
+  run.progress = packing.progress();
+  return run;
+}
+
+Scenario small_sphere(Setup setup, double density) {
+  Scenario scenario = default_scenario(setup, {5});
+  scenario.stop.density = density;
+  return scenario;
+}
+
+bool same_bits(const RodState& a, const RodState& b) {
+  if (a.nodes.cols() != b.nodes.cols() || a.frames.size() != b.frames.size()) return false;
+  for (std::size_t j = 0; j < a.frames.size(); ++j) {
+    if ((a.frames[j].coeffs().array() != b.frames[j].coeffs().array()).any()) return false;
+  }
+  return (a.nodes.array() == b.nodes.array()).all() && a.twist_guide == b.twist_guide &&
+         a.inlet_rest_length == b.inlet_rest_length;
+}
+
+class BothSetups : public ::testing::TestWithParam<Setup> {};
+
+TEST_P(BothSetups, EveryIncrementIsInEquilibriumAndWorkIsStoredOrReleased) {
+  const Scenario scenario = small_sphere(GetParam(), 0.35);
+  const PackedRun run = pack(scenario);
+  EXPECT_EQ(run.stop, StopReason::density);
+  for (const HistoryRow& row : run.rows) ASSERT_LE(row.residual, scenario.minimizer.tolerance);
+  // int F dL = E + released, the part that remeshing takes or gives included, within 1 %
+  const WorkBalance& balance = run.progress.balance;
+  const double energy = run.progress.last.energy_total;
+  EXPECT_GT(energy, 1);
+  EXPECT_NEAR(balance.work, energy + balance.released + balance.remeshing, 0.01 * energy);
+  EXPECT_LT(std::abs(balance.remeshing), 0.04 * energy);
+  EXPECT_LT(run.progress.last.max_overlap, 0.35);  // the tip's, at its point load
+}
+
+TEST_P(BothSetups, ExplicitForceIsTheDerivativeOfTheMinimalEnergy) {
+  // The force at the end of an increment against the difference over it: half an increment apart,
+  // so the error is of first order in the increment.
+  const auto median_error = [&](double part_of_edge) {
+    Scenario scenario = small_sphere(GetParam(), 0.25);
+    scenario.insertion.increment = part_of_edge * scenario.wire.edge_length;
+    std::vector<double> errors;
+    for (const HistoryRow& row : pack(scenario).rows) {
+      if (row.packing_density > 0.12 && row.snap_energy == 0) {
+        errors.push_back(std::abs(row.force_difference / row.force - 1));
+      }
+    }
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return *middle;
+  };
+  const double coarse = median_error(1.0 / 4);
+  const double fine = median_error(1.0 / 8);
+  EXPECT_LT(fine, 0.01);
+  EXPECT_LT(fine, 0.65 * coarse);
+}
+
+INSTANTIATE_TEST_SUITE_P(Setups, BothSetups,
+                         ::testing::Values(Setup::low_torsion, Setup::high_torsion));
+
+TEST(Packing, ForceIsZeroUntilTheTipReachesTheFarWallAndThenTheWireBuckles) {
+  Scenario scenario = default_scenario(Setup::low_torsion, {10});
+  scenario.stop.length = 24;
+  const PackedRun run = pack(scenario);
+  double peak = 0;
+  for (const HistoryRow& row : run.rows) {
+    if (row.inserted_length < 18) {
+      EXPECT_LT(std::abs(row.scaled_force), 1e-3) << row.inserted_length;
+      EXPECT_LT(row.energy_bend, 1e-6);
+    }
+    peak = std::max(peak, row.scaled_force);
+  }
+  // 4.806 B / R^2 in the limit a << R (see FedElastica), times (R / (R - a))^2 for R = 10 a, less
+  // the softness of a wire that is only 10 radii thin; compression to the end would be above 100
+  EXPECT_GT(peak, 4);
+  EXPECT_LT(peak, 7);
+  EXPECT_GT(run.rows.back().energy_bend, 0.3);
+}
+
+TEST(Packing, TorsionStaysZeroWhereTheWireIsFreeToRotate) {
+  Scenario free = small_sphere(Setup::low_torsion, 0.25);
+  const PackedRun without = pack(free);
+  // the same wire with all its frames as unknowns: a rest curvature that is as good as none
+  free.wire.rest_darboux = Vec3(0, 1e-12, 0);
+  const PackedRun with = pack(free);
+  EXPECT_LT(without.rows.back().energy_twist, 1e-20);  // rounding of the frames, squared
+  EXPECT_LT(with.rows.back().energy_twist, 1e-6 * with.rows.back().energy_bend);
+  // two minimizations of one problem: the same branch, within what the residual allows
+  EXPECT_NEAR(with.rows.back().energy_bend / without.rows.back().energy_bend, 1, 0.03);
+}
+
+TEST(Packing, BlockedRotationStoresTorsion) {
+  const PackedRun run = pack(small_sphere(Setup::high_torsion, 0.35));
+  EXPECT_GT(run.rows.back().energy_twist, 1e-3 * run.rows.back().energy_bend);
+}
+
+TEST(Packing, SameScenarioGivesTheSameBitsAndAnotherSeedDoesNot) {
+  Scenario scenario = small_sphere(Setup::high_torsion, 0.15);
+  const PackedRun first = pack(scenario);
+  const PackedRun second = pack(scenario);
+  EXPECT_TRUE(same_bits(first.progress.rod, second.progress.rod));
+  EXPECT_EQ(first.rows.back().energy_total, second.rows.back().energy_total);
+  scenario.seed = 2;
+  EXPECT_FALSE(same_bits(first.progress.rod, pack(scenario).progress.rod));
+}
+
+TEST(Packing, ContinuedRunEndsInTheBitsOfAnUndisturbedOne) {
+  const Scenario scenario = small_sphere(Setup::high_torsion, 0.15);
+  const PackedRun whole = pack(scenario);
+  QuasistaticPacking first(scenario);
+  for (int k = 0; k < 37; ++k) ASSERT_FALSE(first.advance());
+  QuasistaticPacking second(scenario, first.progress());
+  while (!second.advance()) {
+  }
+  EXPECT_TRUE(same_bits(whole.progress.rod, second.progress().rod));
+  EXPECT_EQ(whole.progress.balance.work, second.progress().balance.work);
+}
+
+TEST(Packing, EndsAtEachOfItsLimits) {
+  Scenario scenario = default_scenario(Setup::low_torsion, {4});
+  scenario.stop = {};
+  scenario.stop.length = 3.3;
+  PackedRun run = pack(scenario);
+  EXPECT_EQ(run.stop, StopReason::length);
+  EXPECT_NEAR(run.rows.back().inserted_length, 3.3, 1e-12);
+
+  scenario.stop = {};
+  scenario.stop.density = 0.05;
+  run = pack(scenario);
+  EXPECT_EQ(run.stop, StopReason::density);
+  EXPECT_NEAR(run.rows.back().packing_density, 0.05, 1e-12);
+
+  scenario.stop = {};
+  scenario.stop.increments = 5;
+  run = pack(scenario);
+  EXPECT_EQ(run.stop, StopReason::increments);
+  EXPECT_EQ(run.rows.size(), 5U);
+
+  scenario.stop = {};
+  scenario.stop.scaled_force = 2;
+  run = pack(scenario);
+  EXPECT_EQ(run.stop, StopReason::scaled_force);
+  EXPECT_GE(run.rows.back().scaled_force, 2);
+  // every half-decade below was passed once, in order
+  ASSERT_EQ(run.progress.scaled_crossings.size(), 7U);
+  EXPECT_NEAR(run.progress.scaled_crossings.back().level, 1, 1e-12);
+
+  scenario.stop = {};
+  scenario.stop.force = 0.1;
+  run = pack(scenario);
+  EXPECT_EQ(run.stop, StopReason::force);
+  EXPECT_GE(run.rows.back().force, 0.1 * 5);
+}
+
+}  // namespace
+}  // namespace wirepack

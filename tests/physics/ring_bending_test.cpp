@@ -1,0 +1,59 @@
+#include <gtest/gtest.h>
+
+#include "../support/bent_ring.hpp"
+
+namespace wirepack {
+namespace {
+
+using testing::bent_by_tip_moment;
+using testing::unit_rod;
+
+// Angle of a joint of length l under the moment M. Its energy is YI (2 tan(phi / 2))^2 / (2 l), so
+// M = dE/dphi = (2 YI / l) t (1 + t^2) with t = tan(phi / 2).
+double joint_angle(double moment_by_bend, double length) {
+  const double target = moment_by_bend * length / 2;
+  double t = target;
+  for (int i = 0; i < 50; ++i) t -= (t + t * t * t - target) / (1 + 3 * t * t);
+  return 2 * std::atan(t);
+}
+
+Vec3 tip_of_exact_polygon(Index edges, double moment_by_bend, double edge_length) {
+  double angle = joint_angle(moment_by_bend, edge_length / 2);
+  Vec3 tip = Vec3::Zero();
+  for (Index j = 0; j < edges; ++j) {
+    tip += edge_length * Vec3(0, -std::sin(angle), std::cos(angle));
+    angle += joint_angle(moment_by_bend, edge_length);
+  }
+  return tip;
+}
+
+TEST(RingBending, TipMomentBendsTheRodIntoTheRegularPolygonOfItsStrain) {
+  for (const Index edges : {6, 40}) {
+    const RodParams params = unit_rod(edges, 1, 4e4);
+    for (const double moment : {1.0, 2 * pi, -2 * pi}) {
+      const RodState state = bent_by_tip_moment(params, edges, moment);
+      const Vec3 expected = tip_of_exact_polygon(edges, moment, params.edge_length);
+      // rest to 1e-7 YI / L^2 over the softest bending mode, about 10 YI / L^3
+      EXPECT_LT((state.nodes.col(edges) - expected).norm(), 1e-7) << edges << " " << moment;
+    }
+  }
+}
+
+// MuJoCo test/plugin/elasticity/cable_test.cc, CantileverIntoCircle: 41 points, radius 0.005, bend
+// modulus 1e9; there the turning angle is the strain and the ring closes exactly, here to order 2.
+TEST(RingBending, CantileverIntoCircleOfMujocoClosesToSecondOrder) {
+  RodParams params;
+  params.radius = 0.005;
+  params.youngs_modulus = 1e9;
+  params.edge_length = 1.0 / 40;
+  const double moment = 2 * pi * stiffness(params).bend;
+  EXPECT_NEAR(moment, 3.08425, 1e-5);  // printed digits
+  const RodState state = bent_by_tip_moment(params, 40, moment);
+  // with x = M l / YI a joint turns by x (1 - x^2 / 3): the ring stays open by the angle
+  // 2 pi (2 pi / N)^2 / 3, which moves the tip by that times L / (2 pi)
+  const double gap = std::pow(2 * pi / 40, 2) / 3;
+  EXPECT_NEAR(state.nodes.col(40).norm(), gap, 0.1 * gap);
+}
+
+}  // namespace
+}  // namespace wirepack

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/solve/gradient_check.hpp"
+
+#include "../../support/sample_rods.hpp"
+
+namespace wirepack {
+namespace {
+
+using testing::random_rod;
+using testing::random_rotation;
+using testing::random_vector;
+
+// Both energies come from one term; a Poisson ratio far outside the physical range leaves one.
+constexpr double only_bend = 1e12;           // GJ = YI / (1 + nu) vanishes
+constexpr double only_twist = -1 + 0x1p-40;  // YI = GJ (1 + nu) vanishes
+constexpr double share = 1e-9;               // of the other energy that may be left
+
+RodParams curved_params(double poisson_ratio) {
+  RodParams params;
+  params.poisson_ratio = poisson_ratio;
+  params.youngs_modulus = poisson_ratio < 0 ? 0x1p-38 : 5;
+  params.rest_darboux = Vec3(0.05, 0.1, -0.07);
+  return params;
+}
+
+RodState random_ring(const RodParams& params, std::uint64_t seed) {
+  Points nodes(3, 16);
+  Random random(seed);
+  for (Index i = 0; i < 16; ++i) {
+    const double angle = 2 * pi * static_cast<double>(i) / 16;
+    nodes.col(i) =
+        Vec3(2.5 * std::cos(angle), 2.5 * std::sin(angle), 0) + 0.3 * random_vector(random);
+  }
+  RodState state = make_rod(nodes, params, {.closed = true});
+  for (Quat& frame : state.frames) {
+    frame = rotation_about(third_axis(frame), pi * random.symmetric()) * frame;
+  }
+  return state;
+}
+
+// Frames of any spin and clamps that stand at any angle of up to a radian to their edges.
+RodState random_state(const RodParams& params, const RodEnds& ends, std::uint64_t seed) {
+  if (ends.closed) return random_ring(params, seed);
+  RodState state = random_rod(14, params, ends, seed);
+  Random random(seed + 100);
+  for (std::size_t j = 0; j < state.frames.size(); ++j) {
+    const bool clamp = static_cast<Index>(j) >= state.edge_count();
+    const Vec3 axis = clamp ? random_vector(random).normalized() : third_axis(state.frames[j]);
+    state.frames[j] = rotation_about(axis, random.symmetric()) * state.frames[j];
+  }
+  return state;
+}
+
+void expect_exact_gradients(double poisson_ratio, bool bend) {
+  const RodParams params = curved_params(poisson_ratio);
+  JointEnergy energy(params);
+  for (const RodEnds& ends :
+       {RodEnds{}, RodEnds{.closed = true}, RodEnds{.first_clamped = true},
+        RodEnds{.last_clamped = true}, RodEnds{.first_clamped = true, .last_clamped = true}}) {
+    for (const std::uint64_t seed : {1, 2, 3, 4}) {
+      const RodState state = random_state(params, ends, seed);
+      const JointEnergies parts = joint_energies(params, state);
+      EXPECT_LT(bend ? parts.twist : parts.bend, share * (bend ? parts.bend : parts.twist));
+      const HeldUnknowns none = HeldUnknowns::none(state);
+      Random random(seed);
+      Eigen::VectorXd offset(FrameChart(state, none).size());
+      for (double& v : offset) v = 0.1 * random.symmetric();
+      const GradientCheck check = check_gradient(state, none, functions_of(energy), offset, 1e-6);
+      EXPECT_GT(check.largest_derivative, 0.1);
+      EXPECT_LT(check.relative_error, 1e-7);  // rounding 1e-16 N over 1e-6, and 1e-12
+    }
+  }
+}
+
+TEST(JointGradient, OfBendingAloneMatchesDifferencesForAllEnds) {
+  expect_exact_gradients(only_bend, true);
+}
+
+TEST(JointGradient, OfTwistAloneMatchesDifferencesForAllEnds) {
+  expect_exact_gradients(only_twist, false);
+}
+
+}  // namespace
+}  // namespace wirepack

@@ -1,0 +1,108 @@
+#include "wirepack/feed/feeder.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/stretch_energy.hpp"
+#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/rod/rod_strain.hpp"
+#include "wirepack/solve/equilibrium.hpp"
+
+#include "../../support/sample_rods.hpp"
+
+namespace wirepack {
+namespace {
+
+RodParams params_with(double edge_length) {
+  RodParams params;
+  params.edge_length = edge_length;
+  return params;
+}
+
+// A bent and twisted wire of length about `length` in a nozzle at the origin, at rest with its tip
+// and the rotation of the tip held; the inlet edge is due for a split.
+struct HeldWire {
+  RodParams params;
+  Nozzle nozzle{Vec3::Zero(), Vec3::UnitZ(), TwistCondition::locked};
+  RodState rod;
+
+  explicit HeldWire(double edge_length) : params(params_with(edge_length)) {
+    const auto edges = static_cast<Index>(std::lround(20 / edge_length));
+    Points nodes(3, edges + 1);
+    for (Index i = 0; i <= edges; ++i) {
+      // an arc of radius 12 that ends in the nozzle
+      const double angle = static_cast<double>(edges - i) * edge_length / 12;
+      nodes.col(i) = 12 * Vec3(1 - std::cos(angle), 0, -std::sin(angle));
+    }
+    rod = make_rod(nodes, params, {.last_clamped = true});
+    rod.inlet_rest_length = 1.5 * edge_length;
+    Quat& clamp = rod.frames.back();
+    clamp = rotation_about(Vec3::UnitZ(), 1.0) * clamp;
+    rod.twist_guide = joint_twists(rod);
+    rest();
+  }
+
+  double rest() {
+    HeldUnknowns held = held_by(nozzle, rod);
+    held.hold_node(0);
+    held.angle[0] = true;
+    StretchEnergy stretch(params);
+    JointEnergy joints(params);
+    TotalEnergy energy(stretch, joints);
+    MinimizerOptions method;
+    const auto report =
+        solve_equilibrium(rod, held, functions_of(energy), {1e-9, 1e-9, 4e-6, method});
+    EXPECT_EQ(report.end, EquilibriumEnd::converged);
+    return report.energy;
+  }
+};
+
+TEST(Feeder, InsertedLengthIsTheGrowthOfTheRestLength) {
+  HeldWire wire(1);
+  const double before = total_rest_length(wire.rod, wire.params);
+  insert(wire.rod, 0.3);
+  EXPECT_DOUBLE_EQ(total_rest_length(wire.rod, wire.params), before + 0.3);
+}
+
+TEST(Feeder, SplitIsDueAtThreeHalvesOfAnEdge) {
+  HeldWire wire(1);
+  EXPECT_TRUE(split_is_due(wire.rod, wire.params));
+  wire.rod.inlet_rest_length = 1.49;
+  EXPECT_FALSE(split_is_due(wire.rod, wire.params));
+}
+
+TEST(Feeder, SplitKeepsLengthClampAndTotalTwistAndLeavesAdaptedFrames) {
+  HeldWire wire(1);
+  const double length = total_rest_length(wire.rod, wire.params);
+  const Vec3 clamped = wire.rod.nodes.rightCols<1>();
+  double twist = 0;
+  for (const double t : joint_twists(wire.rod)) twist += t;
+  const Index nodes = wire.rod.node_count();
+  split_inlet(wire.rod, wire.nozzle, wire.params);
+  EXPECT_EQ(wire.rod.node_count(), nodes + 1);
+  EXPECT_EQ(wire.rod.frames.size(), static_cast<std::size_t>(nodes + 1));
+  EXPECT_NEAR(total_rest_length(wire.rod, wire.params), length, 1e-12);
+  EXPECT_EQ(Vec3(wire.rod.nodes.rightCols<1>()), clamped);
+  check_state(wire.rod);
+  double after = 0;
+  for (const double t : joint_twists(wire.rod)) after += t;
+  EXPECT_NEAR(twist, 1, 0.1);
+  EXPECT_NEAR(after, twist, 0.01);  // the curve is planar: no holonomy but for the rounding of it
+}
+
+TEST(Feeder, EnergyJumpOfASplitVanishesWithTheMesh) {
+  const auto jump = [](double edge_length) {
+    HeldWire wire(edge_length);
+    const double before = wire.rest();
+    split_inlet(wire.rod, wire.nozzle, wire.params);
+    return std::abs(wire.rest() / before - 1);
+  };
+  const double coarse = jump(1);
+  const double fine = jump(0.5);
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_LT(fine, coarse / 3);  // at least second order
+}
+
+}  // namespace
+}  // namespace wirepack

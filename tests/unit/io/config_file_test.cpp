@@ -1,0 +1,136 @@
+#include "wirepack/io/config_file.hpp"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "wirepack/core/error.hpp"
+
+namespace wirepack {
+namespace {
+
+Scenario parsed(const std::string& text, const std::vector<ConfigOverride>& overrides = {}) {
+  return parse_config(text, "test.toml", overrides);
+}
+
+std::string message_of(const std::string& text, const std::vector<ConfigOverride>& overrides = {}) {
+  try {
+    parsed(text, overrides);
+  } catch (const InvalidInput& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ConfigFile, radius_alone_gives_the_run_of_the_paper) {
+  const Scenario s = parsed("[cavity]\nradius = 20\n");
+  const Scenario expected = default_scenario(Setup::low_torsion, SphericalCavity{20});
+  EXPECT_EQ(resolved_config(s), resolved_config(expected));
+  EXPECT_EQ(s.stop.scaled_force, 10);
+}
+
+TEST(ConfigFile, setup_sets_twist_and_precurvature_unless_they_are_given) {
+  const std::string high = "[packing]\nsetup = 'high_torsion'\n[cavity]\nradius = 8\n";
+  EXPECT_EQ(parsed(high).nozzle_twist, TwistCondition::locked);
+  EXPECT_EQ(parsed(high).wire.rest_darboux, Vec3(0, 1.0 / 16, 0));
+  const Scenario given = parsed(high + "[nozzle]\ntwist = 'free'\n[wire]\nprecurvature = 0.01\n");
+  EXPECT_EQ(given.nozzle_twist, TwistCondition::free);
+  EXPECT_EQ(given.wire.rest_darboux, Vec3(0, 0.01, 0));
+}
+
+TEST(ConfigFile, defaults_follow_the_values_they_depend_on) {
+  const Scenario s = parsed("[wire]\nradius = 0.5\nyoungs_modulus = 7\nedge_length = 0.3\n");
+  EXPECT_EQ(s.wall_stiffness, 7);
+  EXPECT_EQ(s.contact.stiffness, 7);
+  EXPECT_DOUBLE_EQ(s.contact.excluded_arc_length, pi / 2);
+  EXPECT_EQ(s.insertion.increment, 0.15);
+  EXPECT_EQ(parsed("[wire]\nedge_length = 0.8\n[insertion]\nincrement = 0.2").insertion.increment,
+            0.2);
+}
+
+TEST(ConfigFile, a_given_limit_replaces_the_default_limit) {
+  const Scenario s = parsed("[stop]\nlength = 30\nincrements = 7\n");
+  EXPECT_FALSE(s.stop.scaled_force);
+  EXPECT_EQ(s.stop.length, 30);
+  EXPECT_EQ(s.stop.increments, 7);
+}
+
+TEST(ConfigFile, the_resolved_text_gives_an_equal_scenario) {
+  Scenario s = default_scenario(Setup::high_torsion, SphericalCavity{17.0 / 3}, 0.1 + 0.2, 1e7 / 3);
+  s.seed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  s.wire.poisson_ratio = -0.1;
+  s.contact_enabled = false;
+  s.stop = StopLimits{};
+  s.stop.force = 1e-3 / 7;
+  s.stop.length = 1e22;
+  s.stop.increments = 123456789012;
+  s.minimizer = {1.0 / 3e5, 77, 9, 11, 5e-324};
+  s.output.frame_every_density = 1e-300 / 3;
+  const Scenario back = parsed(resolved_config(s));
+  EXPECT_EQ(back.setup, s.setup);
+  EXPECT_EQ(back.seed, s.seed);
+  EXPECT_EQ(back.wire.radius, s.wire.radius);
+  EXPECT_EQ(back.wire.youngs_modulus, s.wire.youngs_modulus);
+  EXPECT_EQ(back.wire.poisson_ratio, s.wire.poisson_ratio);
+  EXPECT_EQ(back.wire.stretch_multiplier, s.wire.stretch_multiplier);
+  EXPECT_EQ(back.wire.edge_length, s.wire.edge_length);
+  EXPECT_EQ(back.wire.rest_darboux, s.wire.rest_darboux);
+  EXPECT_EQ(back.cavity.radius, s.cavity.radius);
+  EXPECT_EQ(back.wall_stiffness, s.wall_stiffness);
+  EXPECT_EQ(back.nozzle_twist, s.nozzle_twist);
+  EXPECT_EQ(back.contact_enabled, s.contact_enabled);
+  EXPECT_EQ(back.contact.stiffness, s.contact.stiffness);
+  EXPECT_EQ(back.contact.excluded_arc_length, s.contact.excluded_arc_length);
+  EXPECT_EQ(back.insertion.increment, s.insertion.increment);
+  EXPECT_EQ(back.insertion.perturbation, s.insertion.perturbation);
+  EXPECT_EQ(back.stop.scaled_force, s.stop.scaled_force);
+  EXPECT_EQ(back.stop.force, s.stop.force);
+  EXPECT_EQ(back.stop.density, s.stop.density);
+  EXPECT_EQ(back.stop.length, s.stop.length);
+  EXPECT_EQ(back.stop.increments, s.stop.increments);
+  EXPECT_EQ(back.minimizer.tolerance, s.minimizer.tolerance);
+  EXPECT_EQ(back.minimizer.max_evaluations, s.minimizer.max_evaluations);
+  EXPECT_EQ(back.minimizer.memory, s.minimizer.memory);
+  EXPECT_EQ(back.minimizer.refactor_every, s.minimizer.refactor_every);
+  EXPECT_EQ(back.minimizer.shift, s.minimizer.shift);
+  EXPECT_EQ(back.output.frame_every_density, s.output.frame_every_density);
+  EXPECT_EQ(back.output.checkpoint_every_seconds, s.output.checkpoint_every_seconds);
+}
+
+TEST(ConfigFile, scenarios_that_have_no_text_are_refused) {
+  Scenario s = default_scenario(Setup::low_torsion, SphericalCavity{10});
+  s.wire.rest_darboux = Vec3(0.1, 0, 0);
+  EXPECT_THROW(resolved_config(s), InvalidInput);
+  s.wire.rest_darboux = Vec3::Zero();
+  s.seed = std::numeric_limits<std::uint64_t>::max();
+  EXPECT_THROW(resolved_config(s), InvalidInput);
+}
+
+TEST(ConfigFile, overrides_replace_add_and_are_named_in_messages) {
+  const std::string text = "[cavity]\nradius = 5\n";
+  EXPECT_EQ(parsed(text, {{"cavity.radius=6.5", "--set"}}).cavity.radius, 6.5);
+  EXPECT_EQ(parsed(text, {{"packing.setup=high_torsion", "--set"}}).setup, Setup::high_torsion);
+  EXPECT_EQ(parsed(text, {{"packing.setup=\"high_torsion\"", "--set"}}).setup, Setup::high_torsion);
+  EXPECT_EQ(parsed(text, {{"stop.force=1", "a"}, {"stop.force=2", "b"}}).stop.force, 2);
+  EXPECT_EQ(message_of(text, {{"cavity.radius=-1", "--set cavity.radius=-1"}}),
+            "--set cavity.radius=-1: cavity.radius = -1: must be positive and finite");
+  // the file's own value is wrong, but the run does not use it
+  EXPECT_EQ(parsed("[cavity]\nradius = 'x'\n", {{"cavity.radius=6", "--set"}}).cavity.radius, 6);
+}
+
+TEST(ConfigFile, a_problem_of_a_default_is_reported_only_on_its_own) {
+  EXPECT_EQ(message_of("[cavity]\nradius = -5\n"),
+            "test.toml:2:1: cavity.radius = -5: must be positive and finite");
+  EXPECT_EQ(message_of("[wire]\nedge_length = -1\n"),
+            "test.toml:2:1: wire.edge_length = -1: must be positive and finite");
+}
+
+TEST(ConfigFile, only_limits_and_output_may_change_in_a_continuation) {
+  const Scenario was = parsed("[cavity]\nradius = 5\n");
+  EXPECT_FALSE(continuation_conflict(was, parsed("[cavity]\nradius = 5\n[stop]\nlength = 3\n"
+                                                 "[output]\nframe_every_density = 0.5\n")));
+  EXPECT_EQ(continuation_conflict(was, parsed("[cavity]\nradius = 5\n[packing]\nseed = 2\n")),
+            "packing.seed: was 1, is now 2");
+}
+
+}  // namespace
+}  // namespace wirepack
