@@ -52,7 +52,7 @@ CellGrid sort_into_cells(const Points& points, double cell) {
 
 Index first_touching_neighbor(const ContactRange& range) {
   const double edges = std::ceil(range.excluded_arc_length / range.edge_length - 1e-9);
-  return std::max<Index>(3, static_cast<Index>(edges));
+  return std::max<Index>(4, static_cast<Index>(edges));
 }
 
 std::vector<EdgePair> near_edges(const RodState& state, double reach, Index separation) {

@@ -18,8 +18,9 @@ namespace {
 
 // An increment is taken in halves where it fails; a part this small that fails ends the run.
 constexpr double smallest_substep = 1.0 / 64;
-// Where int F dL misses the change of energy by more than this share, the increment is halved
-// until a jump can be told from a kink of the force; what is left then is a snap.
+// Where int F dL misses the change of energy by more than this share (of a force of YI / R^2 at
+// least), the increment is halved until a jump can be told from a kink of the force; what is left
+// then is a snap.
 constexpr double resolved_share = 0.02;
 constexpr double resolving_substep = 1.0 / 8;
 
@@ -258,9 +259,9 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   const double work = fed * (force_before + row.force) / 2;
   const double missing = work - (rest.energy - energy_before);
   next.balance.work += work;
-  const double scale = fed * std::max(std::abs(row.force), std::abs(force_before));
-  const double noise = 10 * model_->options.force_tolerance * fed;
-  result.unresolved = std::abs(missing) > resolved_share * scale + noise;
+  const double scale =
+      fed * std::max({std::abs(row.force), std::abs(force_before), model_->force_unit});
+  result.unresolved = std::abs(missing) > resolved_share * scale;
   if (result.unresolved && missing > 0) {
     row.snap_energy = missing;
     next.balance.released += missing;

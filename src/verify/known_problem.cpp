@@ -11,7 +11,7 @@ namespace wirepack {
 
 namespace {
 
-constexpr std::array<KnownProblemGroup, 9> groups{{
+constexpr std::array<KnownProblemGroup, 10> groups{{
     {"gradients", gradient_problems},
     {"straight rods", straight_rod_problems},
     {"elastica", elastica_problems},
@@ -19,6 +19,7 @@ constexpr std::array<KnownProblemGroup, 9> groups{{
     {"curved rods", curved_rod_problems},
     {"contact", contact_problems},
     {"hoops in a ball", hoop_problems},
+    {"fed wire", feeding_problems},
     {"inverse spool", spool_problems},
     {"writhe", writhe_problems},
 }};

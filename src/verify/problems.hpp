@@ -15,6 +15,7 @@ std::vector<KnownProblem> twisted_ring_problems();
 std::vector<KnownProblem> curved_rod_problems();
 std::vector<KnownProblem> contact_problems();
 std::vector<KnownProblem> hoop_problems();
+std::vector<KnownProblem> feeding_problems();
 std::vector<KnownProblem> spool_problems();
 std::vector<KnownProblem> writhe_problems();
 

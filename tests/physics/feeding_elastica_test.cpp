@@ -4,13 +4,10 @@
 #include <vector>
 
 #include "wirepack/packing/quasistatic_packing.hpp"
-
-#include "../support/fed_elastica.hpp"
+#include "wirepack/verify/fed_elastica.hpp"
 
 namespace wirepack {
 namespace {
-
-using testing::FedElastica;
 
 // A stiff wire (50 times the stretching stiffness, so that it is nearly inextensible) fed through
 // the pole of a sphere of R = 40 a, beside the exact planar elastica from the first contact of the

@@ -19,7 +19,7 @@ struct ContactRange {
   double excluded_arc_length;  ///< nearer neighbours along the wire do not touch
 };
 
-/// Smallest difference of edge numbers that may touch. Never below three edges: the extended lines
+/// Smallest difference of edge numbers that may touch. Never below four edges: the extended lines
 /// of nearer edges of a bent wire meet within the support of the contact kernel.
 Index first_touching_neighbor(const ContactRange& range);
 
