@@ -130,7 +130,7 @@ TEST(NeighborList, NearEdgesAreThoseOfBruteForceInAnyGrid) {
 }
 
 TEST(NeighborList, NeighboursAlongTheWireAreLeftOutByArcLength) {
-  for (const auto& [edge_length, first] : {std::pair{2.0, 3}, {1.0, 4}, {0.5, 7}, {0.25, 13}}) {
+  for (const auto& [edge_length, first] : {std::pair{2.0, 4}, {1.0, 4}, {0.5, 7}, {0.25, 13}}) {
     EXPECT_EQ(first_touching_neighbor({2, edge_length, pi}), first);
   }
   EXPECT_EQ(first_touching_neighbor({2, 0.5, 3.0}), 6);  // rounding does not make it 7
