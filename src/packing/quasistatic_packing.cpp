@@ -80,12 +80,17 @@ EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& mod
   HeldUnknowns held = held_by(model.nozzle, rod);
   if (torsion_free(scenario)) held.angle.assign(held.angle.size(), true);
   EquilibriumReport report;
+  // A coil turns about the centre almost for free; a wire that is shorter has little to turn.
+  const double radius = scenario.cavity.radius;
+  const bool coiled = total_rest_length(rod, scenario.wire) > 2 * pi * radius;
+  EquilibriumOptions options = model.options;
+  options.turning_taper = coiled ? radius : 0;
   if (scenario.contact_enabled) {
     TotalEnergy energy(model.stretch, model.joints, model.wall, model.contact);
-    report = solve_equilibrium(rod, held, functions_of(energy), model.options);
+    report = solve_equilibrium(rod, held, functions_of(energy), options);
   } else {
     TotalEnergy energy(model.stretch, model.joints, model.wall);
-    report = solve_equilibrium(rod, held, functions_of(energy), model.options);
+    report = solve_equilibrium(rod, held, functions_of(energy), options);
   }
   if (torsion_free(scenario)) remove_twist(rod);
   return report;

@@ -58,7 +58,8 @@ Eigen::VectorXd FrameChart::unknowns() const {
   return x;
 }
 
-void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out) const {
+void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out,
+                           std::span<const Quat> turns) const {
   const auto angle = [&](Index frame) {
     const Index u = unknown(angle_block(frame), 3);
     return u >= 0 ? x[u] : 0.0;
@@ -70,9 +71,13 @@ void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out) const {
   }
   const Index edges = reference_.edge_count();
   for (Index j = 0; j < reference_tangents_.cols(); ++j) {
-    const Vec3 t0 = reference_tangents_.col(j);
-    const double theta = angle(j);
+    Vec3 t0 = reference_tangents_.col(j);
     Quat frame = reference_.frames[static_cast<std::size_t>(j)];
+    if (!turns.empty()) {
+      t0 = turns[static_cast<std::size_t>(j)] * t0;
+      frame = turns[static_cast<std::size_t>(j)] * frame;
+    }
+    const double theta = angle(j);
     if (theta != 0) frame = rotation_about(t0, theta) * frame;
     if (j < edges) {
       const Vec3 t = (out.nodes.col(next_node(out, j)) - out.nodes.col(j)).normalized();
@@ -89,7 +94,7 @@ void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out) const {
 }
 
 void FrameChart::pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
-                           Eigen::VectorXd& out) const {
+                           Eigen::VectorXd& out, std::span<const Quat> turns) const {
   const Index n = state.node_count();
   out.resize(size_);
   const auto add_node = [&](Index i, const Vec3& force) {
@@ -105,7 +110,8 @@ void FrameChart::pull_back(const RodState& state, const Points& by_node, const P
   const Index edges = state.edge_count();
   for (Index j = 0; j < by_frame.cols(); ++j) {
     const Vec3 m = by_frame.col(j);
-    const Vec3 t0 = reference_tangents_.col(j);
+    Vec3 t0 = reference_tangents_.col(j);
+    if (!turns.empty()) t0 = turns[static_cast<std::size_t>(j)] * t0;
     Vec3 t = t0;
     if (j < edges) {
       const Index next = next_node(state, j);

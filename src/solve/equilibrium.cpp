@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "wirepack/core/error.hpp"
-#include "wirepack/core/rotation.hpp"
+#include "wirepack/rod/turning_chart.hpp"
 #include "wirepack/solve/minimizer.hpp"
 #include "wirepack/solve/preconditioner.hpp"
 
@@ -40,34 +40,24 @@ Eigen::VectorXd inverse_tolerances(const FrameChart& chart, const EquilibriumOpt
   return result;
 }
 
-// The guard's energy and gradient: stiffness / 2 (|d| - distance)^2 for each node whose move d across
-// the reference tangent is longer than the distance.
-class Guard {
- public:
-  Guard(const RodState& reference, double distance, double stiffness)
-      : reference_(&reference), distance_(distance), stiffness_(stiffness) {}
-
-  double add_gradient(const RodState& state, Gradient& gradient) const {
-    if (distance_ <= 0) return 0;
-    double energy = 0;
-    const Index edges = state.edge_count();
-    for (Index i = 0; i < state.node_count(); ++i) {
-      const Vec3 t =
-          third_axis(reference_->frames[static_cast<std::size_t>(std::min(i, edges - 1))]);
-      const Vec3 move = state.nodes.col(i) - reference_->nodes.col(i);
-      const Vec3 across = move - move.dot(t) * t;
-      const double excess = across.norm() - distance_;
-      if (excess <= 0) continue;
-      energy += stiffness_ / 2 * excess * excess;
-      gradient.node.col(i) += stiffness_ * excess / (excess + distance_) * across;
-    }
-    return energy;
+// The guard's energy: stiffness / 2 (|d| - distance)^2 for each node whose move d across the
+// reference tangent is longer than the distance. Sets its derivative by the moves.
+double guard_energy(const FrameChart& chart, const Points& moves, double distance, double stiffness,
+                    Points& by_move) {
+  by_move.setZero(3, moves.cols());
+  if (distance <= 0) return 0;
+  double energy = 0;
+  const Index last_edge = chart.reference().edge_count() - 1;
+  for (Index i = 0; i < moves.cols(); ++i) {
+    const Vec3 t = chart.reference_tangent(std::min(i, last_edge));
+    const Vec3 across = moves.col(i) - moves.col(i).dot(t) * t;
+    const double excess = across.norm() - distance;
+    if (excess <= 0) continue;
+    energy += stiffness / 2 * excess * excess;
+    by_move.col(i) = stiffness * excess / (excess + distance) * across;
   }
-
- private:
-  const RodState* reference_;
-  double distance_, stiffness_;
-};
+  return energy;
+}
 
 // One round: one chart, one factor.
 DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& energy,
@@ -79,25 +69,26 @@ DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFun
   energy.add_curvature(chart.reference(), model);
   Preconditioner preconditioner(model.lower_triangle(options.shift));
 
-  const Eigen::VectorXd x0 = chart.unknowns();
+  TurningChart turning(chart, options.turning_taper);
   const Eigen::VectorXd inverse_tolerance = inverse_tolerances(chart, options);
   RodState state = chart.reference();
   Gradient gradient;
-  Eigen::VectorXd step, by_x;
-  const Guard guard(chart.reference(), guard_distance, options.guard.stiffness);
+  Points by_move;
+  Eigen::VectorXd step, by_x, by_step;
   // NLopt stops by itself where no component of the gradient by y exceeds 1e-8, and loses its way
   // where values are huge. The first gradient of a round is made 1e3 by the unit of y (and of the
   // energy, its square), so that a round can gain eleven decades.
   double unit = 0;
   const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& by_y) {
     preconditioner.to_step(y, step);
-    step = x0 + unit * step;
-    chart.set_state(step, state);
+    step *= unit;
+    turning.set_state(step, state);
     set_zero(gradient, state);
     energy.prepare(state);
-    const double guarded = guard.add_gradient(state, gradient);
+    const double guarded =
+        guard_energy(chart, turning.moves(), guard_distance, options.guard.stiffness, by_move);
     const double value = energy.add_gradient(state, gradient) + guarded;
-    chart.pull_back(state, gradient.node, gradient.frame, by_x);
+    turning.pull_back(state, gradient.node, gradient.frame, by_move, by_x, by_step);
     const double residual = by_x.cwiseProduct(inverse_tolerance).cwiseAbs().maxCoeff();
     if (best.improved_by(value, residual)) {
       best.state = state;
@@ -107,7 +98,7 @@ DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFun
       best.inlet_length_force = gradient.inlet_length;
     }
     const bool at_rest = residual <= 1 && best.energy == value;
-    preconditioner.to_gradient(by_x, by_y);
+    preconditioner.to_gradient(by_step, by_y);
     if (unit == 0) unit = std::max(by_y.cwiseAbs().maxCoeff() / 1e3, 1e-150);
     by_y /= unit;
     return Evaluation{value / (unit * unit), at_rest};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "wirepack/core/types.hpp"
@@ -42,10 +43,13 @@ class FrameChart {
   /// x of the reference.
   Eigen::VectorXd unknowns() const;
   /// State at x; `out` must be a copy of the reference or a former result (its memory is reused).
-  void set_state(const Eigen::VectorXd& x, RodState& out) const;
-  /// Derivative by x from derivatives by nodes (3 x N) and spins (3 x frames) at `state`.
+  /// With `turns` (one rotation per frame), x is relative to reference frames turned by them.
+  void set_state(const Eigen::VectorXd& x, RodState& out, std::span<const Quat> turns = {}) const;
+  /// Derivative by x, turns fixed, from derivatives by nodes (3 x N) and spins (3 x frames) at `state`.
   void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
-                 Eigen::VectorXd& out) const;
+                 Eigen::VectorXd& out, std::span<const Quat> turns = {}) const;
+  /// Tangent of a frame in the reference.
+  Vec3 reference_tangent(Index frame) const { return reference_tangents_.col(frame); }
 
  private:
   RodState reference_;

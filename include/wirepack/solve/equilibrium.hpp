@@ -34,6 +34,7 @@ struct EquilibriumOptions {
   double shift;             ///< on the curvature model's diagonal
   MinimizerOptions method;  ///< evaluations, memory, refactoring
   MoveGuard guard = {};
+  double turning_taper = 0;  ///< > 0: steps follow a rotation of the whole wire (TurningChart)
 };
 
 enum class EquilibriumEnd { converged, evaluation_limit, stalled, inadmissible };

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "wirepack/core/types.hpp"
+#include "wirepack/rod/frame_chart.hpp"
+
+namespace wirepack {
+
+/// Steps z about the reference of a FrameChart, bent so that a rotation of the wire about the
+/// origin is a straight line in z. A packing in a frictionless sphere turns as a whole almost for
+/// free; straight steps of its nodes leave that curved valley at once.
+///
+///   omega = M^-1 sum w_i r_i x z_i,  M = sum w_i^2 (r_i.r_i I - r_i r_i^T) + 1e-3 tr(M) I
+///   x_i   = exp(w_i omega) (r_i + z_i - w_i omega x r_i),  r_i the reference
+///   theta = z_theta - w omega.t0, relative to reference frames turned by exp(w omega)
+///
+/// The map is the identity to first order. w rises from 0 at the last node, which a nozzle holds, to
+/// 1 over the arc length `taper`: u^2 (3 - 2 u).
+class TurningChart {
+ public:
+  /// `taper` 0: no turning, z is the plain step.
+  TurningChart(const FrameChart& chart, double taper);
+
+  /// State at z; like FrameChart::set_state.
+  void set_state(const Eigen::VectorXd& z, RodState& out);
+  /// What each node (3 x N) has moved in the last set_state, apart from the turning of the whole:
+  /// z_i - w_i omega x r_i.
+  const Points& moves() const { return moves_; }
+  /// Derivatives at the z of the last set_state, from those by nodes and spins at `state` (by x, as
+  /// FrameChart::pull_back gives them, and by z) and from those of a function of moves() (by z only).
+  void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
+                 const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z) const;
+
+ private:
+  Vec3 slots(const Eigen::VectorXd& v, Index node) const;
+
+  const FrameChart* chart_;
+  Eigen::VectorXd start_;
+  Eigen::VectorXd node_weight_, frame_weight_;
+  Mat3 inverse_inertia_ = Mat3::Zero();
+  bool turns_ = false;
+  Vec3 omega_ = Vec3::Zero();
+  std::vector<Quat> node_turn_, frame_turn_;  // of the last set_state
+  Eigen::VectorXd x_;
+  Points moves_;
+};
+
+}  // namespace wirepack
