@@ -128,6 +128,9 @@ int run(const RunOptions& options) {
   if (options.dry_run) return show_plan(scenario);
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
   const bool there = exists(options.output);
+  if (there && !std::filesystem::is_regular_file(options.output)) {
+    throw InvalidInput(options.output + " is not a regular file: a result cannot go there");
+  }
   if (options.resume && there) return resume(scenario, options);
   if (options.resume) say(options.output + " is not there yet: starting from the beginning");
   if (there && !options.force) {

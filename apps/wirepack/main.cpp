@@ -86,6 +86,8 @@ std::string explain(const CLI::ParseError& error, const CLI::App& program, int c
 int run_program(int count, char** arguments) {
   // A limit on the size of files shall give a message, as a full disk does, and not kill.
   std::signal(SIGXFSZ, SIG_IGN);
+  // A reader that has gone away is an output that cannot be written: exit code 5.
+  std::signal(SIGPIPE, SIG_IGN);
   CLI::App program{"Packs a long elastic wire into a rigid cavity by energy minimization."};
   program.name("wirepack");
   program.set_version_flag("--version", version_text(), "Version, commit, compiler and libraries");

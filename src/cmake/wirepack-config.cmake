@@ -2,6 +2,7 @@
 
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(OpenMP COMPONENTS CXX)
 find_dependency(NLopt CONFIG)
 find_dependency(fmt CONFIG)
 find_dependency(tomlplusplus CONFIG)

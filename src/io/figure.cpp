@@ -31,25 +31,37 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
 
 // Runs gnuplot on NAME.gp inside the folder, without a shell.
 void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
-  const std::string chdir = "cd '" + folder.string() + "'";
-  const std::string script = "load '" + name + ".gp'";
-  std::array<std::string, 5> words{"gnuplot", "-e", chdir, "-e", script};
-  std::array<char*, 6> arguments{};
-  for (std::size_t k = 0; k < words.size(); ++k) arguments[k] = words[k].data();
+  const std::filesystem::path script = folder / (name + ".gp");
+  std::array<std::string, 2> words{"gnuplot", name + ".gp"};
+  std::array<char*, 3> arguments{words[0].data(), words[1].data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   pid_t child = 0;
-  if (posix_spawnp(&child, "gnuplot", nullptr, nullptr, arguments.data(), environ) != 0) {
-    throw FileError("gnuplot cannot be started: install it, or draw " +
-                    (folder / (name + ".gp")).string() + " elsewhere");
+  const int failed = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) {
+    throw FileError("gnuplot cannot be started: install it, or draw " + script.string() +
+                    " elsewhere");
   }
   int status = 0;
   if (waitpid(child, &status, 0) != child || status != 0) {
-    throw FileError("gnuplot failed on " + (folder / (name + ".gp")).string());
+    throw FileError("gnuplot failed on " + script.string());
   }
+}
+
+// A title that gnuplot shows to the letter.
+std::string title(const std::string& text) {
+  std::string quoted;
+  for (const char c : text) quoted += c == '\'' ? "\'\'" : std::string(1, c);
+  return "title '" + quoted + "' noenhanced";
 }
 
 void draw(const std::filesystem::path& folder, const std::string& name, const std::string& data,
           const std::string& commands, const std::string& size, const std::string& pixels) {
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
   write_file(folder / (name + ".dat"), data);
   std::string script = fmt::format("# draws {0}.png, {0}.pdf and {0}.svg from {0}.dat\n", name);
   const auto add = [&](const std::string& terminal, const std::string& extension) {
@@ -98,7 +110,7 @@ std::string tube(const SmoothLine& line, double radius) {
   };
   Quat frame = frame_with_tangent(direction(0));
   for (Index k = 0; k < n; ++k) {
-    frame = transport(third_axis(frame), direction(k)) * frame;
+    frame = (transport(third_axis(frame), direction(k)) * frame).normalized();
     for (int j = 0; j <= around; ++j) {
       const double angle = 2 * pi * j / around;
       const Vec3 r =
@@ -145,18 +157,30 @@ std::string curves(const std::vector<FigureRun>& runs) {
   return text;
 }
 
-// One plot command: every run in column `column`, then the model of the first run.
+// One plot command: every run in column `column`, then the model of each.
 std::string plot(const std::vector<FigureRun>& runs, const std::string& name, int column,
                  const std::string& quantity) {
-  std::string text = "plot ";
+  std::string text;
+  const auto line = [&](std::size_t index, std::size_t colour, int dash, const std::string& what) {
+    text +=
+        fmt::format("{} '{}.dat' index {} using 1:{} with lines lw 1.5 dashtype {} lc {} {}",
+                    text.empty() ? "plot" : ",", name, index, column, dash, colour, title(what));
+  };
+  for (std::size_t k = 0; k < runs.size(); ++k) line(k, k + 1, 1, quantity + runs[k].label);
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    text += fmt::format("'{}.dat' index {} using 1:{} with lines lw 1.5 title \"{}{}\", ", name, k,
-                        column, quantity, runs[k].label);
+    line(runs.size() + k, k + 1, 2, "inverse spool (d = 2.81 a) for " + runs[k].label);
   }
-  return text + fmt::format(
-                    "'{}.dat' index {} using 1:{} with lines dashtype 2 lc rgb '#555555' "
-                    "title 'inverse spool, d_s = 2.81 a'",
-                    name, runs.size(), column);
+  return text;
+}
+
+// From 0 to a little above the largest value of the runs; the model may leave the picture.
+template <class Value>
+std::string height(const std::vector<FigureRun>& runs, Value&& value) {
+  double top = 1e-3;
+  for (const FigureRun& run : runs) {
+    for (const HistoryRow& row : run.history) top = std::max(top, value(run.scenario, row));
+  }
+  return fmt::format("set yrange [0:{:.3g}]\n", 1.35 * top);
 }
 
 constexpr const char* curve_style =
@@ -170,9 +194,13 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
   const Index n = frame.rod.node_count();
   const double radius = scenario.cavity.radius;
   const double unit = stiffness(scenario.wire).bend / (2 * radius * radius);
+  const auto edge = [&](Index j) {
+    return (frame.rod.nodes.col(j + 1) - frame.rod.nodes.col(j)).norm();
+  };
   Eigen::VectorXd colour(n);
   for (Index i = 0; i < n; ++i) {
-    colour[i] = frame.bend_energy[i] / (node_length(frame.rod, scenario.wire, i) * unit);
+    const double length = ((i > 0 ? edge(i - 1) : 0) + (i + 1 < n ? edge(i) : 0)) / 2;
+    colour[i] = frame.bend_energy[i] / (length * unit);
   }
   // the range of colours leaves out the few largest values
   std::vector<double> sorted(colour.data(), colour.data() + n);
@@ -182,12 +210,12 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
   const Index parts = n < 2000 ? 3 : 1;
   const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
   const std::string commands =
-      "unset border\nunset tics\nunset key\nset view 65,30,1.6\nset view equal xyz\n"
+      "unset border\nunset tics\nunset key\nset view 65,30,1.5\nset view equal xyz\n"
       "set xrange " +
       range + "\nset yrange " + range + "\nset zrange " + range +
       fmt::format("\nset cbrange [0:{:.3g}]\n", top) +
       "set palette defined (0 '#2b5c8a', 0.35 '#6fb1c8', 0.6 '#f2e2b0', 1 '#b5342c')\n"
-      "set colorbox user origin 0.88,0.25 size 0.02,0.5\nset cbtics\n"
+      "set colorbox horizontal user origin 0.2,0.1 size 0.6,0.02\nset cbtics\n"
       "set cblabel 'bending energy per length / (YI / 2R^2)'\n"
       "set pm3d depthorder lighting primary 0.45 specular 0.25\n"
       "splot 'packing.dat' using 1:2:3:4 with pm3d\n";
@@ -197,7 +225,8 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
 
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   draw(folder, "force", curves(runs),
-       curve_style + std::string("set ylabel 'injection force F R^2 / YI'\nset yrange [0:*]\n") +
+       curve_style + std::string("set ylabel 'injection force F R^2 / YI'\n") +
+           height(runs, [](const Scenario&, const HistoryRow& row) { return row.scaled_force; }) +
            plot(runs, "force", 2, "") + "\n",
        "14cm,10cm", "1200,860");
 }
@@ -205,13 +234,15 @@ void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun
 void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   std::string twist;
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    twist += fmt::format(
-        ", 'energy.dat' index {} using 1:4 with lines dashtype 3 title "
-        "\"twist, {}\"",
-        k, runs[k].label);
+    twist += fmt::format(", 'energy.dat' index {} using 1:4 with lines lw 1.5 dashtype 3 lc {} {}",
+                         k, k + 1, title("twist, " + runs[k].label));
   }
   draw(folder, "energy", curves(runs),
-       curve_style + std::string("set ylabel 'energy E R / YI'\nset yrange [0:*]\n") +
+       curve_style + std::string("set ylabel 'energy E R / YI'\n") +
+           height(runs,
+                  [](const Scenario& scenario, const HistoryRow& row) {
+                    return row.energy_bend * scenario.cavity.radius / stiffness(scenario.wire).bend;
+                  }) +
            plot(runs, "energy", 3, "bending, ") + twist + "\n",
        "14cm,10cm", "1200,860");
 }

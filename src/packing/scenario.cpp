@@ -67,9 +67,9 @@ std::vector<std::string> problems(const Scenario& scenario) {
   require(scenario.insertion.increment >= l / 1000 && scenario.insertion.increment <= l,
           "insertion.increment", scenario.insertion.increment,
           "must be at least a thousandth of wire.edge_length and at most all of it");
-  require(not_negative(scenario.insertion.perturbation) && scenario.insertion.perturbation <= 0.1,
+  require(scenario.insertion.perturbation >= 1e-9 && scenario.insertion.perturbation <= 0.1,
           "insertion.perturbation", scenario.insertion.perturbation,
-          "must be between 0 and 0.1 (wire radii)");
+          "must be between 1e-9 and 0.1 (wire radii): without one the wire does not buckle");
 
   const StopLimits& stop = scenario.stop;
   if (!stop.scaled_force && !stop.force && !stop.density && !stop.length && !stop.increments) {
@@ -81,11 +81,21 @@ std::vector<std::string> problems(const Scenario& scenario) {
             must_be_positive);
   }
   if (stop.force) require(positive(*stop.force), "stop.force", *stop.force, must_be_positive);
+  // a run starts with two edges in the cavity
+  const double start = 2 * l;
+  const double start_density = 3 * a * a * start / (4 * radius * radius * radius);
   if (stop.density) {
-    require(positive(*stop.density) && *stop.density < 1, "stop.density", *stop.density,
-            "must be above 0 and below 1");
+    std::ostringstream allowed;
+    allowed << "must be below 1 and above the density of the first two edges, " << start_density;
+    require(*stop.density > start_density && *stop.density < 1, "stop.density", *stop.density,
+            allowed.str());
   }
-  if (stop.length) require(positive(*stop.length), "stop.length", *stop.length, must_be_positive);
+  if (stop.length) {
+    std::ostringstream allowed;
+    allowed << "must be finite and above the length of the first two edges, " << start;
+    require(std::isfinite(*stop.length) && *stop.length > start, "stop.length", *stop.length,
+            allowed.str());
+  }
   if (stop.increments) {
     require(*stop.increments > 0, "stop.increments", static_cast<double>(*stop.increments),
             "must be at least 1");

@@ -38,7 +38,7 @@ class BadInput(ProgramTest):
             ("[packing]\nseed = -1", "from 0 to"),
             ("[minimizer]\nmemory = 3000000000", "minimizer.memory"),
             ("[stop]\nincrements = 0", "stop.increments = 0: must be at least 1"),
-            ("[stop]\ndensity = 1.5", "must be above 0 and below 1"),
+            ("[stop]\ndensity = 1.5", "must be below 1 and above the density of the first two edges"),
         ]:
             with self.subTest(text):
                 self.refuse_config(text, allowed)
