@@ -17,6 +17,7 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
   if (setup == Setup::high_torsion) {
     scenario.nozzle_twist = TwistCondition::locked;
     scenario.wire.rest_darboux = Vec3(0, 1 / (2 * cavity.radius), 0);
+    scenario.wire.edge_length = std::clamp(cavity.radius / 20, wire_radius / 2, 2 * wire_radius);
   }
   scenario.wall_stiffness = youngs_modulus;
   scenario.contact.stiffness = youngs_modulus;

@@ -53,8 +53,9 @@ struct Scenario {
 
 /// The scenario of the paper's setup in a sphere of radius R, every other value at its default:
 /// low torsion is a straight wire free to rotate in the nozzle, high torsion a wire of rest
-/// curvature 1 / (2 R) whose rotation is blocked. Edges are R / 10 long, but a/2 at least and 2 a
-/// at most, increments half an edge, stiffnesses of contacts are Y, and the run ends at
+/// curvature 1 / (2 R) whose rotation is blocked. Edges are R / 10 long, R / 20 in high torsion
+/// (whose force is so small that the mesh at the inlet shows sooner), but a/2 at least and 2 a at
+/// most; increments are half an edge, stiffnesses of contacts are Y, and the run ends at
 /// F R^2 / YI = 10.
 Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius = 1,
                           double youngs_modulus = 5);
