@@ -1,0 +1,140 @@
+#include "wirepack/solve/equilibrium.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/load_energy.hpp"
+#include "wirepack/energy/stretch_energy.hpp"
+#include "wirepack/solve/minimizer.hpp"
+#include "wirepack/solve/preconditioner.hpp"
+
+#include "../../support/sample_rods.hpp"
+
+namespace wirepack {
+namespace {
+
+// A cantilever of 20 edges, clamped at its last node, pulled across at its tip.
+struct Cantilever {
+  RodParams params;
+  StretchEnergy stretch{params};
+  JointEnergy joints{params};
+  LoadEnergy load{params, Loads{{{0, Vec3(0.02, 0, 0)}}, {}, Vec3::Zero()}};
+  TotalEnergy<StretchEnergy, JointEnergy, LoadEnergy> energy{stretch, joints, load};
+  RodState rod = make_rod(testing::straight_nodes(20, 20), params, {.last_clamped = true});
+  EquilibriumOptions options{1e-7, 1e-7, 4e-6, {}, {}, 0};
+
+  EquilibriumReport rest() {
+    HeldUnknowns held = HeldUnknowns::none(rod);
+    held.hold_node(20);
+    held.angle.back() = true;
+    return solve_equilibrium(rod, held, functions_of(energy), options);
+  }
+};
+
+TEST(Equilibrium, CantileverBendsByTheTextbookAmountAndTheResidualIsMet) {
+  Cantilever c;
+  const EquilibriumReport report = c.rest();
+  EXPECT_EQ(report.end, EquilibriumEnd::converged);
+  EXPECT_LE(report.residual, 1);
+  // P L^2 / B = 2.037: drop / L = 0.4984 (Bisshopp and Drucker 1945), order 2 in the mesh
+  EXPECT_NEAR(c.rod.nodes(0, 0) / 20, 0.4984, 0.003);
+}
+
+TEST(Equilibrium, GuardSlowsTheWayDownButRestIsTheSame) {
+  Cantilever free, guarded;
+  guarded.options.guard = {0.5, 50, nullptr};
+  const EquilibriumReport one = free.rest();
+  const EquilibriumReport other = guarded.rest();
+  EXPECT_EQ(other.end, EquilibriumEnd::converged);
+  EXPECT_GT(other.factorizations, 10);  // the tip moves 10 in parts of about 0.5
+  EXPECT_NEAR(other.energy / one.energy, 1, 1e-8);
+  EXPECT_LT((free.rod.nodes - guarded.rod.nodes).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(Equilibrium, RoundsThatAreNotAdmissibleAreTakenBackAndReported) {
+  Cantilever c;
+  const Points start = c.rod.nodes;
+  c.options.guard = {0.5, 50, [](const RodState&, const RodState&) { return false; }};
+  const EquilibriumReport report = c.rest();
+  EXPECT_EQ(report.end, EquilibriumEnd::inadmissible);
+  EXPECT_EQ(report.rounds_taken_back, 5);  // at 1, 1/2, ... 1/16 of the distance
+  EXPECT_EQ(c.rod.nodes, start);
+}
+
+TEST(Equilibrium, OneBadRoundIsRepeatedWithShorterMoves) {
+  Cantilever c;
+  int calls = 0;
+  c.options.guard = {0.5, 50, [&](const RodState&, const RodState&) { return ++calls != 3; }};
+  const EquilibriumReport report = c.rest();
+  EXPECT_EQ(report.end, EquilibriumEnd::converged);
+  EXPECT_EQ(report.rounds_taken_back, 1);
+}
+
+TEST(Equilibrium, TooFewEvaluationsAreReportedWithTheBestPoint) {
+  Cantilever c;
+  c.options.method.max_evaluations = 5;
+  const EquilibriumReport report = c.rest();
+  EXPECT_EQ(report.end, EquilibriumEnd::evaluation_limit);
+  EXPECT_EQ(report.evaluations, 5);
+  EXPECT_GT(report.residual, 1);
+  EXPECT_LT(report.energy, 0);  // better than the straight start
+}
+
+TEST(Equilibrium, StartWithoutAnEnergyIsANumericalFailure) {
+  Cantilever c;
+  c.rod.nodes(0, 3) = std::nan("");
+  EXPECT_THROW(c.rest(), NumericalFailure);
+}
+
+TEST(Preconditioner, ChangeOfVariablesTurnsTheModelIntoTheIdentity) {
+  // P = tridiagonal; s = L^-T y and g = L^-1 P s must give y back for every y
+  Eigen::SparseMatrix<double> lower(30, 30);
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(30, 30);
+  for (int i = 0; i < 30; ++i) {
+    full(i, i) = 3 + 0.1 * i;
+    if (i > 0) full(i, i - 1) = full(i - 1, i) = -1;
+  }
+  lower = Eigen::MatrixXd(full.triangularView<Eigen::Lower>()).sparseView();
+  Preconditioner preconditioner(lower);
+  Eigen::VectorXd step, back;
+  for (int k = 0; k < 30; k += 7) {
+    const Eigen::VectorXd y = Eigen::VectorXd::Unit(30, k);
+    preconditioner.to_step(y, step);
+    preconditioner.to_gradient(full * step, back);
+    EXPECT_LT((back - y).cwiseAbs().maxCoeff(), 1e-13);
+  }
+}
+
+TEST(Preconditioner, IndefiniteModelIsANumericalFailure) {
+  Eigen::SparseMatrix<double> lower(2, 2);
+  lower.insert(0, 0) = 1;
+  lower.insert(1, 1) = -1;
+  EXPECT_THROW(Preconditioner{lower}, NumericalFailure);
+}
+
+TEST(Descent, ExceptionsOfTheObjectiveAreHandedOnAtOnce) {
+  int calls = 0;
+  const Objective objective = [&](const Eigen::VectorXd&, Eigen::VectorXd&) -> Evaluation {
+    ++calls;
+    throw std::runtime_error("no");
+  };
+  EXPECT_THROW(descend(objective, Eigen::VectorXd::Zero(3), {}), std::runtime_error);
+  EXPECT_EQ(calls, 1);
+}
+
+TEST(Descent, FindsTheMinimumOfAQuadraticAndStopsWhereItIsTold) {
+  const Eigen::Vector3d target(1, -2, 3);
+  const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& gradient) {
+    gradient = 2 * (y - target);
+    return Evaluation{(y - target).squaredNorm(), (y - target).norm() < 1e-6};
+  };
+  const DescentReport report = descend(objective, Eigen::VectorXd::Zero(3), {});
+  EXPECT_EQ(report.end, DescentEnd::good_enough);
+  EXPECT_LT(report.evaluations, 10);
+}
+
+}  // namespace
+}  // namespace wirepack
