@@ -92,8 +92,8 @@ std::vector<EdgePair> near_edges(const RodState& state, double reach, Index sepa
 }
 
 NeighborList::NeighborList(const RodState& state, const ContactRange& range, double skin)
-    // a point of an extended line moves at most 3 times as far as the nodes; both lines move
-    : built_at_(state.nodes), allowed_move_(skin / 6) {
+    // both lines of a pair may move
+    : built_at_(state.nodes), allowed_move_(skin / 2) {
   double longest = 0;
   for (Index j = 0; j < state.edge_count(); ++j) {
     const Vec3 e = state.nodes.col(next_node(state, j)) - state.nodes.col(j);
@@ -115,8 +115,16 @@ NeighborList::NeighborList(const RodState& state, const ContactRange& range, dou
 
 bool NeighborList::covers(const RodState& state) const {
   if (state.nodes.cols() != built_at_.cols()) return false;
-  const double moved = (state.nodes - built_at_).colwise().squaredNorm().maxCoeff();
-  return moved <= allowed_move_ * allowed_move_;
+  // No point of an extended line moves farther than one of its ends, 2 b - a and 2 a - b for an edge
+  // from a to b.
+  const double limit = allowed_move_ * allowed_move_;
+  for (Index j = 0; j < state.edge_count(); ++j) {
+    const Index k = next_node(state, j);
+    const Vec3 a = state.nodes.col(j) - built_at_.col(j);
+    const Vec3 b = state.nodes.col(k) - built_at_.col(k);
+    if ((2 * b - a).squaredNorm() > limit || (2 * a - b).squaredNorm() > limit) return false;
+  }
+  return true;
 }
 
 }  // namespace wirepack

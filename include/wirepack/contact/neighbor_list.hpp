@@ -31,7 +31,7 @@ class NeighborList {
   NeighborList() = default;
   NeighborList(const RodState& state, const ContactRange& range, double skin);
 
-  /// No node has moved so far that a pair outside the list could touch.
+  /// No edge has moved so far that a pair outside the list could touch.
   bool covers(const RodState& state) const;
   std::span<const EdgePair> pairs() const { return pairs_; }
 

@@ -89,7 +89,7 @@ TEST(NeighborList, CoversEveryNodeAndNoOtherNumberOfNodes) {
   RodState state = crowd(50, 6, {}, 9);
   const NeighborList list(state, range, 0.6);
   EXPECT_TRUE(list.covers(state));
-  state.nodes.col(49).x() += 0.099;  // skin / 6 = 0.1
+  state.nodes.col(49).x() += 0.149;  // the end of its line moves twice as far: 0.15 = skin / 4
   EXPECT_TRUE(list.covers(state));
   state.nodes.col(49).x() += 0.002;
   EXPECT_FALSE(list.covers(state));
