@@ -34,7 +34,7 @@ std::string shell_text(int count, char** arguments) {
       for (std::size_t at = 0; (at = word.find('\'', at)) != std::string::npos; at += 4) {
         word.replace(at, 1, "'\\''");
       }
-      word = "'" + word + "'";
+      word.insert(0, "'").append("'");
     }
     if (i > 0) text += ' ';
     text += word;

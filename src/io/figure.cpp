@@ -8,12 +8,11 @@
 #include <fstream>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/rotation.hpp"
 #include "wirepack/observe/spool_model.hpp"
-
-extern char** environ;
 
 namespace wirepack {
 

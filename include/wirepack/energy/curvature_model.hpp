@@ -29,7 +29,7 @@ class CurvatureModel {
   void add_square(double weight, std::span<const NodePart> nodes,
                   std::span<const FramePart> frames = {});
   /// Adds a symmetric positive semidefinite 3 x 3 block at one node.
-  void add_node_block(Index node, const Mat3& block);
+  void add_node_block(Index node, const Mat3& value);
 
   /// Lower triangle in the chart's numbering, `shift` added on the diagonal.
   Eigen::SparseMatrix<double> lower_triangle(double shift) const;
