@@ -11,6 +11,7 @@
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/hdf5_recorder.hpp"
+#include "wirepack/observe/packing_density.hpp"
 
 #include "command.hpp"
 #include "run_loop.hpp"
@@ -46,8 +47,7 @@ int show_plan(const Scenario& scenario) {
   std::fputs(resolved_config(scenario).c_str(), stdout);
   const double length = expected_length(scenario);
   const double nodes = length / scenario.wire.edge_length;
-  const double a = scenario.wire.radius, radius = scenario.cavity.radius;
-  const double density = 3 * a * a * length / (4 * radius * radius * radius);
+  const double density = packing_density(length, scenario.cavity, scenario.wire.radius);
   const double frames = density / scenario.output.frame_every_density + 1;
   // a frame has 10 numbers per node, and the frames of a run have half the last one's nodes
   const double megabytes = 8 * 10 * nodes * (frames / 2 + 1) / 1e6;

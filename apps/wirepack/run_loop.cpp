@@ -10,6 +10,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/history_table.hpp"
+#include "wirepack/observe/packing_density.hpp"
 
 #include "stop_signals.hpp"
 
@@ -21,11 +22,6 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double length_at(const Scenario& scenario, double density) {
-  const double a = scenario.wire.radius, radius = scenario.cavity.radius;
-  return density * 4 * radius * radius * radius / (3 * a * a);
 }
 
 std::string shown_time(double seconds) {
@@ -137,7 +133,9 @@ double expected_length(const Scenario& scenario) {
   const StopLimits& stop = scenario.stop;
   double length = std::numeric_limits<double>::infinity();
   if (stop.length) length = std::min(length, *stop.length);
-  if (stop.density) length = std::min(length, length_at(scenario, *stop.density));
+  if (stop.density)
+    length =
+        std::min(length, length_at_density(*stop.density, scenario.cavity, scenario.wire.radius));
   if (stop.increments) {
     length =
         std::min(length, 2 * scenario.wire.edge_length +
@@ -145,7 +143,7 @@ double expected_length(const Scenario& scenario) {
   }
   if (stop.scaled_force || stop.force) {
     const double density = 0.98 * std::pow(scenario.wire.radius / scenario.cavity.radius, 0.38);
-    length = std::min(length, length_at(scenario, density));
+    length = std::min(length, length_at_density(density, scenario.cavity, scenario.wire.radius));
   }
   return length;
 }

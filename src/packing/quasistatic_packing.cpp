@@ -11,6 +11,7 @@
 #include "wirepack/energy/total_energy.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/feed/feeder.hpp"
+#include "wirepack/observe/packing_density.hpp"
 
 namespace wirepack {
 
@@ -160,9 +161,7 @@ HistoryRow observe(const Scenario& scenario, QuasistaticPacking::Model& model,
     }
   }
   row.inserted_length = total_rest_length(rod, scenario.wire);
-  const double a = scenario.wire.radius;
-  const double radius = scenario.cavity.radius;
-  row.packing_density = 3 * a * a * row.inserted_length / (4 * radius * radius * radius);
+  row.packing_density = packing_density(row.inserted_length, scenario.cavity, scenario.wire.radius);
   return row;
 }
 
@@ -198,13 +197,12 @@ QuasistaticPacking::QuasistaticPacking(QuasistaticPacking&&) noexcept = default;
 
 double QuasistaticPacking::length_of_step() const {
   double step = scenario_.insertion.increment * progress_.substep;
-  const double radius = scenario_.cavity.radius;
-  const double a = scenario_.wire.radius;
   const double length = progress_.last.inserted_length;
   if (scenario_.stop.length) step = std::min(step, *scenario_.stop.length - length);
   if (scenario_.stop.density) {
-    const double full = *scenario_.stop.density * 4 * radius * radius * radius / (3 * a * a);
-    step = std::min(step, full - length);
+    step = std::min(
+        step, length_at_density(*scenario_.stop.density, scenario_.cavity, scenario_.wire.radius) -
+                  length);
   }
   return step;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "wirepack/observe/packing_density.hpp"
+
 namespace wirepack {
 
 Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius,
@@ -84,7 +86,7 @@ std::vector<std::string> problems(const Scenario& scenario) {
   if (stop.force) require(positive(*stop.force), "stop.force", *stop.force, must_be_positive);
   // a run starts with two edges in the cavity
   const double start = 2 * l;
-  const double start_density = 3 * a * a * start / (4 * radius * radius * radius);
+  const double start_density = packing_density(start, scenario.cavity, a);
   if (stop.density) {
     std::ostringstream allowed;
     allowed << "must be below 1 and above the density of the first two edges, " << start_density;

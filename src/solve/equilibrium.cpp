@@ -131,8 +131,10 @@ EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
       best = before;
       ++report.rounds_taken_back;
       guard_distance /= 2;
-      if (guard_distance >= options.guard.distance / 16) continue;
-      report.end = EquilibriumEnd::inadmissible;
+      const bool too_short = guard_distance < options.guard.distance / 16;
+      const bool spent = report.evaluations >= options.method.max_evaluations;
+      if (!too_short && !spent) continue;
+      report.end = too_short ? EquilibriumEnd::inadmissible : EquilibriumEnd::evaluation_limit;
       break;
     }
     guard_distance = options.guard.distance;

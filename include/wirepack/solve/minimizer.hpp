@@ -15,8 +15,8 @@ struct Evaluation {
 using Objective = std::function<Evaluation(const Eigen::VectorXd& y, Eigen::VectorXd& gradient)>;
 
 struct DescentOptions {
-  int max_evaluations = 50;
-  int memory = 20;  ///< vector pairs of L-BFGS; NLopt's own choice is 77 times slower
+  int max_evaluations = 50;  ///< at least 1; NLopt may take one more in its line search
+  int memory = 20;           ///< vector pairs of L-BFGS; NLopt's own choice is 77 times slower
 };
 
 enum class DescentEnd { good_enough, evaluation_limit, gave_up };

@@ -64,6 +64,17 @@ TEST(Equilibrium, RoundsThatAreNotAdmissibleAreTakenBackAndReported) {
   EXPECT_EQ(c.rod.nodes, start);
 }
 
+TEST(Equilibrium, RoundsTakenBackCountAgainstTheLimitOfEvaluations) {
+  Cantilever c;
+  c.options.method.max_evaluations = 60;
+  c.options.method.refactor_every = 30;
+  c.options.guard = {0.5, 50, [](const RodState&, const RodState&) { return false; }};
+  const EquilibriumReport report = c.rest();
+  EXPECT_EQ(report.end, EquilibriumEnd::evaluation_limit);
+  // NLopt may take one evaluation more in each of the two rounds; without the limit, hundreds
+  EXPECT_LE(report.evaluations, 62);
+}
+
 TEST(Equilibrium, OneBadRoundIsRepeatedWithShorterMoves) {
   Cantilever c;
   int calls = 0;
