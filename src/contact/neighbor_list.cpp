@@ -48,6 +48,52 @@ CellGrid sort_into_cells(const Points& points, double cell) {
   return grid;
 }
 
+// Calls f(j, near) for every edge j with the edges k > j whose midpoints are within reach, in no
+// particular order.
+template <class F>
+void for_each_neighbourhood(const RodState& state, double reach, Index separation, F&& f) {
+  const Index edges = state.edge_count();
+  Points midpoints(3, edges);
+  for (Index j = 0; j < edges; ++j) {
+    midpoints.col(j) = (state.nodes.col(j) + state.nodes.col(next_node(state, j))) / 2;
+  }
+  // Cells of half the reach: five in a row hold less than three whole ones would.
+  const CellGrid grid = sort_into_cells(midpoints, reach / 2);
+  constexpr Index span = 2;
+  Points by_cell(3, edges);  // neighbours in space are neighbours in memory
+  for (Index p = 0; p < edges; ++p) {
+    by_cell.col(p) = midpoints.col(grid.order[static_cast<std::size_t>(p)]);
+  }
+  std::vector<Index> near;
+  for (Index j = 0; j < edges; ++j) {
+    near.clear();
+    const Vec3 middle = midpoints.col(j);
+    const Index cell = grid.cell_of[static_cast<std::size_t>(j)];
+    const Index z = cell % grid.size[2];
+    const Index y = cell / grid.size[2] % grid.size[1];
+    const Index x = cell / (grid.size[2] * grid.size[1]);
+    const auto from = [](Index c) { return std::max<Index>(0, c - span); };
+    const auto to = [&](Index c, std::size_t axis) {
+      return std::min(grid.size[axis] - 1, c + span);
+    };
+    for (Index cx = from(x); cx <= to(x, 0); ++cx) {
+      for (Index cy = from(y); cy <= to(y, 1); ++cy) {
+        // cells along z are neighbours in memory: one run of edges
+        const Index row = (cx * grid.size[1] + cy) * grid.size[2];
+        const Index first = grid.start[static_cast<std::size_t>(row + from(z))];
+        const Index end = grid.start[static_cast<std::size_t>(row + to(z, 2) + 1)];
+        for (Index p = first; p < end; ++p) {
+          const Index k = grid.order[static_cast<std::size_t>(p)];
+          if (k - j < separation) continue;
+          if (state.ends.closed && j + edges - k < separation) continue;
+          if ((by_cell.col(p) - middle).squaredNorm() <= reach * reach) near.push_back(k);
+        }
+      }
+    }
+    f(j, near);
+  }
+}
+
 }  // namespace
 
 Index first_touching_neighbor(const ContactRange& range) {
@@ -56,38 +102,11 @@ Index first_touching_neighbor(const ContactRange& range) {
 }
 
 std::vector<EdgePair> near_edges(const RodState& state, double reach, Index separation) {
-  const Index edges = state.edge_count();
-  Points midpoints(3, edges);
-  for (Index j = 0; j < edges; ++j) {
-    midpoints.col(j) = (state.nodes.col(j) + state.nodes.col(next_node(state, j))) / 2;
-  }
-  const CellGrid grid = sort_into_cells(midpoints, reach);
   std::vector<EdgePair> pairs;
-  for (Index j = 0; j < edges; ++j) {
-    const auto first_pair = static_cast<std::ptrdiff_t>(pairs.size());
-    const Index cell = grid.cell_of[static_cast<std::size_t>(j)];
-    const Index z = cell % grid.size[2];
-    const Index y = cell / grid.size[2] % grid.size[1];
-    const Index x = cell / (grid.size[2] * grid.size[1]);
-    for (Index cx = std::max<Index>(0, x - 1); cx <= std::min(grid.size[0] - 1, x + 1); ++cx) {
-      for (Index cy = std::max<Index>(0, y - 1); cy <= std::min(grid.size[1] - 1, y + 1); ++cy) {
-        // cells along z are neighbours in memory: one run of edges
-        const Index row = (cx * grid.size[1] + cy) * grid.size[2];
-        const Index from = grid.start[static_cast<std::size_t>(row + std::max<Index>(0, z - 1))];
-        const Index to =
-            grid.start[static_cast<std::size_t>(row + std::min(grid.size[2] - 1, z + 1) + 1)];
-        for (Index p = from; p < to; ++p) {
-          const Index k = grid.order[static_cast<std::size_t>(p)];
-          if (k - j < separation) continue;
-          if (state.ends.closed && j + edges - k < separation) continue;
-          if ((midpoints.col(j) - midpoints.col(k)).squaredNorm() > reach * reach) continue;
-          pairs.push_back({j, k});
-        }
-      }
-    }
-    std::sort(pairs.begin() + first_pair, pairs.end(),
-              [](const EdgePair& p, const EdgePair& q) { return p.second < q.second; });
-  }
+  for_each_neighbourhood(state, reach, separation, [&](Index j, std::vector<Index>& near) {
+    std::sort(near.begin(), near.end());
+    for (const Index k : near) pairs.push_back({j, k});
+  });
   return pairs;
 }
 
@@ -100,17 +119,38 @@ NeighborList::NeighborList(const RodState& state, const ContactRange& range, dou
     longest = std::max(longest, e.norm());
   }
   const double limit = range.touching_distance + skin;
-  const auto extended = [&](Index j, double s) -> Vec3 {
-    const Vec3 a = state.nodes.col(j);
-    const Vec3 b = state.nodes.col(next_node(state, j));
-    return (a + b) / 2 + s * (b - a);
+  // Lines from s = -1.5 to 1.5 about the midpoint of the edge from a to b.
+  struct Extended {
+    Triple<Lanes> from, to;
   };
-  pairs_ = near_edges(state, limit + 3 * longest, first_touching_neighbor(range));
-  std::erase_if(pairs_, [&](const EdgePair& pair) {
-    return squared_segment_distance(extended(pair.first, -1.5), extended(pair.first, 1.5),
-                                    extended(pair.second, -1.5),
-                                    extended(pair.second, 1.5)) >= limit * limit;
-  });
+  const auto extended = [&](auto&& edge) -> Extended {
+    const Triple<Lanes> a = columns_of(state.nodes, edge);
+    const Triple<Lanes> b =
+        columns_of(state.nodes, [&](int k) { return next_node(state, edge(k)); });
+    return {Lanes(2.0) * a - b, Lanes(2.0) * b - a};
+  };
+  const auto keep_near_lines = [&](Index j, std::vector<Index>& near) {
+    const Extended first = extended([&](int) { return j; });
+    const auto count = static_cast<Index>(near.size());
+    std::size_t kept = 0;
+    // four at a time; the last one is repeated to fill up
+    for (Index start = 0; start < count; start += lane_count) {
+      const auto place = [&](Index k) { return static_cast<std::size_t>(std::min(k, count - 1)); };
+      const Extended second = extended([&](int k) { return near[place(start + k)]; });
+      const LaneMask is_near =
+          squared_segment_distance(first.from, first.to, second.from, second.to) < limit * limit;
+      for (Index k = start; k < std::min(start + lane_count, count); ++k) {
+        if (is_near[static_cast<std::size_t>(k - start)]) near[kept++] = near[place(k)];
+      }
+    }
+    near.resize(kept);
+  };
+  for_each_neighbourhood(state, limit + 3 * longest, first_touching_neighbor(range),
+                         [&](Index j, std::vector<Index>& near) {
+                           keep_near_lines(j, near);
+                           std::sort(near.begin(), near.end());
+                           for (const Index k : near) pairs_.push_back({j, k});
+                         });
 }
 
 bool NeighborList::covers(const RodState& state) const {

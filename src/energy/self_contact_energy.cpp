@@ -2,18 +2,9 @@
 
 #include <array>
 
+#include "wirepack/contact/contact_sum.hpp"
+
 namespace wirepack {
-
-namespace {
-
-Line line_of(const RodState& state, Index edge) {
-  const Vec3 a = state.nodes.col(edge);
-  const Vec3 b = state.nodes.col(next_node(state, edge));
-  const bool open = !state.ends.closed;
-  return {(a + b) / 2, b - a, open && edge == 0, open && edge == state.edge_count() - 1};
-}
-
-}  // namespace
 
 SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParams& contact)
     : range_{2 * params.radius, params.edge_length, contact.excluded_arc_length},
@@ -25,19 +16,7 @@ void SelfContactEnergy::prepare(const RodState& state) {
 }
 
 double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  double energy = 0;
-  LineGradient by_line;
-  for (const EdgePair& pair : list_.pairs()) {
-    const double e =
-        kernel_.energy(line_of(state, pair.first), line_of(state, pair.second), by_line);
-    if (e == 0) continue;
-    energy += e;
-    gradient.node.col(pair.first) += by_line.midpoint1 / 2 - by_line.vector1;
-    gradient.node.col(next_node(state, pair.first)) += by_line.midpoint1 / 2 + by_line.vector1;
-    gradient.node.col(pair.second) += by_line.midpoint2 / 2 - by_line.vector2;
-    gradient.node.col(next_node(state, pair.second)) += by_line.midpoint2 / 2 + by_line.vector2;
-  }
-  return energy;
+  return add_contact_energy(kernel_, state, list_.pairs(), gradient.node);
 }
 
 void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {

@@ -79,7 +79,10 @@ namespace {
 
 EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& model, RodState& rod) {
   HeldUnknowns held = held_by(model.nozzle, rod);
-  if (torsion_free(scenario)) held.angle.assign(held.angle.size(), true);
+  if (torsion_free(scenario)) {
+    held.angle.assign(held.angle.size(), true);
+    held.frames_follow = false;
+  }
   EquilibriumReport report;
   // A coil turns about the centre almost for free; a wire that is shorter has little to turn.
   const double radius = scenario.cavity.radius;

@@ -17,7 +17,7 @@ void HeldUnknowns::hold_node(Index node) {
 }
 
 FrameChart::FrameChart(RodState reference, const HeldUnknowns& held)
-    : reference_(std::move(reference)) {
+    : reference_(std::move(reference)), frames_follow_(held.frames_follow) {
   for (Quat& frame : reference_.frames) frame.normalize();
   reference_.twist_guide = joint_twists(reference_);
   const Index n = reference_.node_count();
@@ -26,7 +26,10 @@ FrameChart::FrameChart(RodState reference, const HeldUnknowns& held)
     if (!is_held) number_[static_cast<std::size_t>(4 * node + slot)] = size_++;
   };
   for (Index i = 0; i < n; ++i) {
-    for (int c = 0; c < 3; ++c) take(i, c, held.coordinate[static_cast<std::size_t>(3 * i + c)]);
+    for (int c = 0; c < 3; ++c) {
+      take(i, c, held.coordinate[static_cast<std::size_t>(3 * i + c)]);
+      if (const Index u = unknown(i, c); u >= 0) places_.push_back({u, 3 * i + c});
+    }
     if (i < reference_.edge_count()) {
       take(i, 3, held.angle[static_cast<std::size_t>(i)]);
     } else if (reference_.ends.last_clamped) {
@@ -50,11 +53,7 @@ Index FrameChart::angle_block(Index frame) const {
 
 Eigen::VectorXd FrameChart::unknowns() const {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(size_);
-  for (Index i = 0; i < reference_.node_count(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      if (const Index u = unknown(i, c); u >= 0) x[u] = reference_.nodes(c, i);
-    }
-  }
+  gather(reference_.nodes, x);
   return x;
 }
 
@@ -64,11 +63,8 @@ void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out,
     const Index u = unknown(angle_block(frame), 3);
     return u >= 0 ? x[u] : 0.0;
   };
-  for (Index i = 0; i < reference_.node_count(); ++i) {
-    for (int c = 0; c < 3; ++c) {
-      if (const Index u = unknown(i, c); u >= 0) out.nodes(c, i) = x[u];
-    }
-  }
+  scatter(x, out.nodes);
+  if (!frames_follow_) return;
   const Index edges = reference_.edge_count();
   for (Index j = 0; j < reference_tangents_.cols(); ++j) {
     Vec3 t0 = reference_tangents_.col(j);
@@ -95,18 +91,14 @@ void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out,
 
 void FrameChart::pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
                            Eigen::VectorXd& out, std::span<const Quat> turns) const {
-  const Index n = state.node_count();
   out.resize(size_);
+  gather(by_node, out);
+  if (!frames_follow_) return;
   const auto add_node = [&](Index i, const Vec3& force) {
     for (int c = 0; c < 3; ++c) {
       if (const Index u = unknown(i, c); u >= 0) out[u] += force[c];
     }
   };
-  for (Index i = 0; i < n; ++i) {
-    for (int c = 0; c < 3; ++c) {
-      if (const Index u = unknown(i, c); u >= 0) out[u] = by_node(c, i);
-    }
-  }
   const Index edges = state.edge_count();
   for (Index j = 0; j < by_frame.cols(); ++j) {
     const Vec3 m = by_frame.col(j);

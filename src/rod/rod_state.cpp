@@ -64,6 +64,13 @@ void remove_twist(RodState& state) {
   state.twist_guide.assign(state.twist_guide.size(), 0.0);
 }
 
+void carry_frames(RodState& state) {
+  for (Index j = 0; j < state.edge_count(); ++j) {
+    Quat& frame = state.frames[static_cast<std::size_t>(j)];
+    frame = (transport(third_axis(frame), edge_tangent(state, j)) * frame).normalized();
+  }
+}
+
 void check_state(const RodState& state) {
   if (!state.nodes.allFinite()) throw NumericalFailure("a node position is not finite");
   for (Index j = 0; j < state.edge_count(); ++j) {

@@ -33,16 +33,30 @@ double taper_weight(double arc, double taper) {
   return u * u * (3 - 2 * u);
 }
 
+Mat3 hat(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+// Sum of a_i x b_i over the columns, from sum a_i b_i^T.
+template <class A, class B>
+Vec3 sum_of_crosses(const A& a, const B& b) {
+  Mat3 m = Mat3::Zero();
+  for (Index i = 0; i < a.cols(); ++i) m.noalias() += a.col(i) * b.col(i).transpose();
+  return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)};
+}
+
 }  // namespace
 
 TurningChart::TurningChart(const FrameChart& chart, double taper)
-    : chart_(&chart),
-      start_(chart.unknowns()),
-      turns_(taper > 0),
-      moves_(Points::Zero(3, chart.reference().node_count())) {
-  if (!turns_) return;
+    : chart_(&chart), start_(chart.unknowns()), turns_(taper > 0) {
   const RodState& reference = chart.reference();
   const Index n = reference.node_count();
+  step_.setZero(3, n);
+  moves_.setZero(3, n);
+  force_.setZero(3, n);
+  if (!turns_) return;
   node_weight_.setZero(n);
   frame_weight_.setZero(static_cast<Index>(reference.frames.size()));
   double arc = 0;
@@ -53,99 +67,84 @@ TurningChart::TurningChart(const FrameChart& chart, double taper)
     arc += length;
     node_weight_[j] = taper_weight(arc, taper);
   }
+  while (rigid_nodes_ < n && node_weight_[rigid_nodes_] == 1) ++rigid_nodes_;
+  weighted_ = reference.nodes * node_weight_.asDiagonal();
   Mat3 inertia = Mat3::Zero();
   for (Index i = 0; i < n; ++i) {
-    const Vec3 r = reference.nodes.col(i);
-    inertia += node_weight_[i] * node_weight_[i] *
-               (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+    const Vec3 r = weighted_.col(i);
+    inertia += r.squaredNorm() * Mat3::Identity() - r * r.transpose();
   }
   // a short wire near the axis can hardly be told apart from its turned self
   const double floor = 1e-3 * inertia.trace() + 1e-12 * reference.nodes.squaredNorm();
   inverse_inertia_ = (inertia + floor * Mat3::Identity()).inverse();
-  node_turn_.resize(static_cast<std::size_t>(n));
-  frame_turn_.resize(reference.frames.size());
-}
-
-Vec3 TurningChart::slots(const Eigen::VectorXd& v, Index node) const {
-  Vec3 result = Vec3::Zero();
-  for (int c = 0; c < 3; ++c) {
-    if (const Index u = chart_->unknown(node, c); u >= 0) result[c] = v[u];
-  }
-  return result;
+  turned_ = reference.nodes;
+  back_.setZero(3, n);
+  node_turn_.resize(static_cast<std::size_t>(n - rigid_nodes_));
+  if (chart.frames_follow()) frame_turn_.resize(reference.frames.size());
 }
 
 void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
   const RodState& reference = chart_->reference();
   const Index n = reference.node_count();
+  chart_->scatter(z, step_);
+  x_ = start_ + z;
   if (!turns_) {
-    x_ = start_ + z;
-    for (Index i = 0; i < n; ++i) moves_.col(i) = slots(z, i);
+    moves_ = step_;
     chart_->set_state(x_, out);
     return;
   }
-  Vec3 moment = Vec3::Zero();
-  for (Index i = 0; i < n; ++i) {
-    moment += node_weight_[i] * Vec3(reference.nodes.col(i)).cross(slots(z, i));
+  omega_ = inverse_inertia_ * sum_of_crosses(weighted_, step_);
+  const Mat3 spin = hat(omega_);
+  turn_ = rotation_of(omega_).toRotationMatrix();
+  for (Index i = 0; i < n; ++i) moves_.col(i) = step_.col(i) - spin * weighted_.col(i);
+  for (Index i = 0; i < rigid_nodes_; ++i) {
+    turned_.col(i) = turn_ * (reference.nodes.col(i) + moves_.col(i));
   }
-  omega_ = inverse_inertia_ * moment;
-  x_ = start_ + z;
-  for (Index i = 0; i < n; ++i) {
-    const Vec3 spin = node_weight_[i] * omega_;
-    Quat& turn = node_turn_[static_cast<std::size_t>(i)];
-    turn = node_weight_[i] == 1 && i > 0 && node_weight_[i - 1] == 1
-               ? node_turn_[static_cast<std::size_t>(i - 1)]
-               : rotation_of(spin);
-    const Vec3 r = reference.nodes.col(i);
-    moves_.col(i) = slots(z, i) - spin.cross(r);
-    const Vec3 x = turn * (r + moves_.col(i));
-    for (int c = 0; c < 3; ++c) {
-      if (const Index u = chart_->unknown(i, c); u >= 0) x_[u] = x[c];
-    }
+  for (Index i = rigid_nodes_; i < n; ++i) {
+    Mat3& turn = node_turn_[static_cast<std::size_t>(i - rigid_nodes_)];
+    turn = rotation_of(node_weight_[i] * omega_).toRotationMatrix();
+    turned_.col(i) = turn * (reference.nodes.col(i) + moves_.col(i));
   }
-  for (Index j = 0; j < frame_weight_.size(); ++j) {
-    const Vec3 spin = frame_weight_[j] * omega_;
+  chart_->gather(turned_, x_);
+  for (Index j = 0; j < static_cast<Index>(frame_turn_.size()); ++j) {
     Quat& turn = frame_turn_[static_cast<std::size_t>(j)];
     turn = frame_weight_[j] == 1 && j > 0 && frame_weight_[j - 1] == 1
                ? frame_turn_[static_cast<std::size_t>(j - 1)]
-               : rotation_of(spin);
+               : rotation_of(frame_weight_[j] * omega_);
     const Index u = chart_->unknown(chart_->angle_block(j), 3);
-    if (u >= 0) x_[u] -= spin.dot(chart_->reference_tangent(j));
+    if (u >= 0) x_[u] -= frame_weight_[j] * omega_.dot(chart_->reference_tangent(j));
   }
   chart_->set_state(x_, out, frame_turn_);
 }
 
 void TurningChart::pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
-                             const Points& by_move, Eigen::VectorXd& by_x,
-                             Eigen::VectorXd& by_z) const {
-  const auto add_moves = [&](Index i, const Vec3& force) {
-    for (int c = 0; c < 3; ++c) {
-      if (const Index u = chart_->unknown(i, c); u >= 0) by_z[u] += force[c];
-    }
-  };
-  if (!turns_) {
-    chart_->pull_back(state, by_node, by_frame, by_x);
-    by_z = by_x;
-    for (Index i = 0; i < by_move.cols(); ++i) add_moves(i, by_move.col(i));
-    return;
-  }
+                             const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z) {
   chart_->pull_back(state, by_node, by_frame, by_x, frame_turn_);
   by_z = by_x;
+  chart_->scatter(by_x, force_);
+  const bool moves_count = by_move.cols() > 0;
+  if (!turns_) {
+    if (!moves_count) return;
+    back_ = force_ + by_move;
+    chart_->gather(back_, by_z);
+    return;
+  }
   const RodState& reference = chart_->reference();
   const Index n = reference.node_count();
-  Vec3 by_omega = Vec3::Zero();
-  for (Index i = 0; i < n; ++i) {
+  // The rigid nodes share one turn: their torques are summed before it is undone.
+  Vec3 by_omega = jacobian_transposed(
+      omega_, sum_of_crosses(state.nodes.leftCols(rigid_nodes_), force_.leftCols(rigid_nodes_)));
+  const Mat3 turn_back = turn_.transpose();
+  for (Index i = 0; i < rigid_nodes_; ++i) back_.col(i) = turn_back * force_.col(i);
+  for (Index i = rigid_nodes_; i < n; ++i) {
     const double w = node_weight_[i];
-    const Vec3 force = slots(by_x, i);
-    Vec3 back = node_turn_[static_cast<std::size_t>(i)].conjugate() * force;
-    if (by_move.cols() > 0) back += by_move.col(i);
-    const Vec3 r = reference.nodes.col(i);
-    by_omega += w * (jacobian_transposed(w * omega_, Vec3(state.nodes.col(i)).cross(force)) -
-                     r.cross(back));
-    for (int c = 0; c < 3; ++c) {
-      if (const Index u = chart_->unknown(i, c); u >= 0) by_z[u] = back[c];
-    }
+    const Vec3 force = force_.col(i);
+    back_.col(i) = node_turn_[static_cast<std::size_t>(i - rigid_nodes_)].transpose() * force;
+    by_omega += w * jacobian_transposed(w * omega_, Vec3(state.nodes.col(i)).cross(force));
   }
-  for (Index j = 0; j < reference.edge_count(); ++j) {
+  if (moves_count) back_ += by_move;
+  by_omega -= sum_of_crosses(weighted_, back_);
+  for (Index j = 0; j < static_cast<Index>(frame_turn_.size()); ++j) {
     const Index u = chart_->unknown(chart_->angle_block(j), 3);
     const double w = frame_weight_[j];
     if (u < 0 || w == 0) continue;
@@ -157,10 +156,9 @@ void TurningChart::pull_back(const RodState& state, const Points& by_node, const
     by_omega += w * by_x[u] *
                 (jacobian_transposed(w * omega_, (t + turned_t0) / (1 + t.dot(turned_t0))) - t0);
   }
-  const Vec3 q = inverse_inertia_ * by_omega;
-  for (Index i = 0; i < n; ++i) {
-    add_moves(i, node_weight_[i] * q.cross(Vec3(reference.nodes.col(i))));
-  }
+  const Mat3 turning = hat(inverse_inertia_ * by_omega);
+  for (Index i = 0; i < n; ++i) back_.col(i) += turning * weighted_.col(i);
+  chart_->gather(back_, by_z);
 }
 
 }  // namespace wirepack

@@ -103,8 +103,10 @@ DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFun
     by_y /= unit;
     return Evaluation{value / (unit * unit), at_rest};
   };
-  return descend(objective, Eigen::VectorXd::Zero(chart.size()),
-                 {max_evaluations, options.method.memory});
+  const DescentReport report = descend(objective, Eigen::VectorXd::Zero(chart.size()),
+                                       {max_evaluations, options.method.memory});
+  if (!held.frames_follow) carry_frames(best.state);
+  return report;
 }
 
 }  // namespace

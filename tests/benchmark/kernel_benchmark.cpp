@@ -82,6 +82,7 @@ struct Descent {
     HeldUnknowns result =
         held_by(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist), rod);
     result.angle.assign(result.angle.size(), true);
+    result.frames_follow = false;
     return result;
   }
   ContactRange contact_range() const {

@@ -12,6 +12,9 @@ namespace wirepack {
 struct HeldUnknowns {
   std::vector<bool> coordinate;  ///< 3 N: x, y, z of each node
   std::vector<bool> angle;       ///< one per frame: rotation about its own tangent
+  /// False: set_state leaves the edge frames where they are, for energies that read positions alone;
+  /// carry_frames() (rod_state.hpp) brings them along afterwards.
+  bool frames_follow = true;
 
   static HeldUnknowns none(const RodState& state);
   void hold_node(Index node);
@@ -48,12 +51,26 @@ class FrameChart {
   /// Derivative by x, turns fixed, from derivatives by nodes (3 x N) and spins (3 x frames) at `state`.
   void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
                  Eigen::VectorXd& out, std::span<const Quat> turns = {}) const;
+  /// Vectors by nodes (3 x N) <-> the coordinates among unknowns; what is held stays as it is.
+  void scatter(const Eigen::VectorXd& by_unknown, Points& by_node) const {
+    for (const Place& p : places_) by_node.data()[p.coordinate] = by_unknown[p.unknown];
+  }
+  void gather(const Points& by_node, Eigen::VectorXd& by_unknown) const {
+    for (const Place& p : places_) by_unknown[p.unknown] = by_node.data()[p.coordinate];
+  }
+  bool frames_follow() const { return frames_follow_; }
   /// Tangent of a frame in the reference.
   Vec3 reference_tangent(Index frame) const { return reference_tangents_.col(frame); }
 
  private:
+  struct Place {
+    Index unknown, coordinate;  ///< coordinate c of node i is 3 i + c
+  };
+
   RodState reference_;
   std::vector<Index> number_;
+  std::vector<Place> places_;
+  bool frames_follow_ = true;
   Points reference_tangents_;
   Index size_ = 0;
 };

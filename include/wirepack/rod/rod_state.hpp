@@ -94,6 +94,10 @@ RodState make_rod(const Points& nodes, const RodParams& params, RodEnds ends = {
 /// frame (the nozzle's): the frames of a wire that is free to turn. Open rods only.
 void remove_twist(RodState& state);
 
+/// Turns every edge frame by the smallest rotation that takes it onto the tangent of its edge, for
+/// nodes that have moved without their frames. Throws NumericalFailure where an edge has no length.
+void carry_frames(RodState& state);
+
 /// Throws NumericalFailure, naming the index, unless all numbers are finite and the frames follow
 /// the edges to 1e-8.
 void check_state(const RodState& state);

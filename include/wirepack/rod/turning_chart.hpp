@@ -30,20 +30,22 @@ class TurningChart {
   /// Derivatives at the z of the last set_state, from those by nodes and spins at `state` (by x, as
   /// FrameChart::pull_back gives them, and by z) and from those of a function of moves() (by z only).
   void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
-                 const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z) const;
+                 const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z);
 
  private:
-  Vec3 slots(const Eigen::VectorXd& v, Index node) const;
-
   const FrameChart* chart_;
   Eigen::VectorXd start_;
   Eigen::VectorXd node_weight_, frame_weight_;
+  Index rigid_nodes_ = 0;  // nodes from the tip on whose weight is 1
+  Points weighted_;        // w_i r_i
   Mat3 inverse_inertia_ = Mat3::Zero();
   bool turns_ = false;
   Vec3 omega_ = Vec3::Zero();
-  std::vector<Quat> node_turn_, frame_turn_;  // of the last set_state
+  Mat3 turn_ = Mat3::Identity();  // exp(omega), of the last set_state
+  std::vector<Mat3> node_turn_;   // of the nodes behind the rigid ones
+  std::vector<Quat> frame_turn_;
   Eigen::VectorXd x_;
-  Points moves_;
+  Points step_, moves_, turned_, force_, back_;
 };
 
 }  // namespace wirepack

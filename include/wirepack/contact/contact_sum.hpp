@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "wirepack/contact/line_contact.hpp"
+#include "wirepack/contact/neighbor_list.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+/// The line of an edge of a rod, with its free ends.
+Line line_of(const RodState& state, Index edge);
+
+/// Energy of all pairs, summed in their order; adds its derivative by the nodes (3 x N). The same as
+/// LineKernel::energy of each pair, four pairs at a time: first a test which of them touch, then the
+/// gradient of those alone.
+double add_contact_energy(const LineKernel& kernel, const RodState& state,
+                          std::span<const EdgePair> pairs, Points& by_node);
+
+}  // namespace wirepack
