@@ -67,7 +67,7 @@ DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFun
   CurvatureModel model(chart);
   energy.prepare(chart.reference());
   energy.add_curvature(chart.reference(), model);
-  Preconditioner preconditioner(model.lower_triangle(options.shift));
+  Preconditioner preconditioner(model.lower_triangle(options.shift), options.shift);
 
   TurningChart turning(chart, options.turning_taper);
   const Eigen::VectorXd inverse_tolerance = inverse_tolerances(chart, options);

@@ -3,7 +3,12 @@
 #include <cholmod.h>
 #include <omp.h>
 
+#include <variant>
+#include <vector>
+
 #include "wirepack/core/error.hpp"
+
+#include "triangular_factor.hpp"
 
 namespace wirepack {
 
@@ -22,49 +27,45 @@ class OneThread {
   int levels_;
 };
 
-}  // namespace
-
-struct Preconditioner::Factor {
+// Owns what CHOLMOD needs while it factors.
+struct Cholmod {
   cholmod_common common;
   cholmod_factor* factor = nullptr;
-  cholmod_dense* result = nullptr;
-  cholmod_dense* middle = nullptr;
-  cholmod_dense* work1 = nullptr;
-  cholmod_dense* work2 = nullptr;
 
-  Factor() {
+  Cholmod() {
     cholmod_start(&common);
-    common.final_ll = 1;  // L L^T also where simplicial factors would be L D L^T
+    common.final_ll = 1;
     common.print = 0;     // failures are reported by exceptions
     common.nmethods = 1;  // one ordering, always the same: AMD
     common.method[0].ordering = CHOLMOD_AMD;
     common.postorder = 1;
+    common.supernodal = CHOLMOD_SUPERNODAL;
   }
-  ~Factor() {
+  ~Cholmod() {
     cholmod_free_factor(&factor, &common);
-    for (cholmod_dense** d : {&result, &middle, &work1, &work2}) cholmod_free_dense(d, &common);
     cholmod_finish(&common);
   }
-  Factor(const Factor&) = delete;
-  Factor& operator=(const Factor&) = delete;
-
-  void solve(int first, int second, const Eigen::VectorXd& in, Eigen::VectorXd& out) {
-    cholmod_dense b{};
-    b.nrow = b.nzmax = b.d = static_cast<std::size_t>(in.size());
-    b.ncol = 1;
-    b.x = const_cast<double*>(in.data());  // CHOLMOD reads right-hand sides, but takes no const
-    b.xtype = CHOLMOD_REAL;
-    b.dtype = CHOLMOD_DOUBLE;
-    const bool ok =
-        cholmod_solve2(first, factor, &b, nullptr, &middle, nullptr, &work1, &work2, &common) &&
-        cholmod_solve2(second, factor, middle, nullptr, &result, nullptr, &work1, &work2, &common);
-    if (!ok) throw NumericalFailure("a triangular solve failed");
-    out = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(result->x), in.size());
-  }
+  Cholmod(const Cholmod&) = delete;
+  Cholmod& operator=(const Cholmod&) = delete;
 };
 
-Preconditioner::Preconditioner(const Eigen::SparseMatrix<double>& lower)
-    : factor_(std::make_unique<Factor>()) {
+// Single precision moves eigenvalues of the model by its rounding times the largest of them: good
+// enough where that is not far above the smallest, the shift.
+bool single_precision_serves(const Eigen::SparseMatrix<double>& lower, double smallest) {
+  const double rounding = 6e-8;
+  return rounding * lower.diagonal().maxCoeff() < 10 * smallest;
+}
+
+}  // namespace
+
+struct Preconditioner::Factor {
+  std::vector<int> order;  // place in the factor -> unknown
+  std::variant<TriangularFactor<float>, TriangularFactor<double>> triangle;
+  double size;
+  Eigen::VectorXd work;
+};
+
+Preconditioner::Preconditioner(const Eigen::SparseMatrix<double>& lower, double smallest) {
   cholmod_sparse a{};
   a.nrow = a.ncol = static_cast<std::size_t>(lower.rows());
   a.nzmax = static_cast<std::size_t>(lower.nonZeros());
@@ -78,12 +79,23 @@ Preconditioner::Preconditioner(const Eigen::SparseMatrix<double>& lower)
   a.sorted = 1;
   a.packed = 1;
   const OneThread one_thread;
-  factor_->factor = cholmod_analyze(&a, &factor_->common);
-  if (factor_->factor == nullptr) throw NumericalFailure("the curvature model cannot be ordered");
-  cholmod_factorize(&a, factor_->factor, &factor_->common);
-  if (factor_->common.status != CHOLMOD_OK || factor_->factor->minor < factor_->factor->n) {
+  Cholmod cholmod;
+  cholmod.factor = cholmod_analyze(&a, &cholmod.common);
+  if (cholmod.factor == nullptr) throw NumericalFailure("the curvature model cannot be ordered");
+  cholmod_factorize(&a, cholmod.factor, &cholmod.common);
+  const cholmod_factor& factor = *cholmod.factor;
+  if (cholmod.common.status != CHOLMOD_OK || factor.minor < factor.n) {
     throw NumericalFailure("the curvature model is not positive definite");
   }
+  const auto* order = static_cast<const int*>(factor.Perm);
+  const auto triangle = [&]() -> decltype(Factor::triangle) {
+    if (single_precision_serves(lower, smallest)) return TriangularFactor<float>(factor);
+    return TriangularFactor<double>(factor);
+  };
+  factor_ = std::make_unique<Factor>(Factor{{order, order + factor.n},
+                                            triangle(),
+                                            static_cast<double>(factor.xsize),
+                                            Eigen::VectorXd(lower.rows())});
 }
 
 Preconditioner::~Preconditioner() = default;
@@ -91,16 +103,20 @@ Preconditioner::Preconditioner(Preconditioner&&) noexcept = default;
 Preconditioner& Preconditioner::operator=(Preconditioner&&) noexcept = default;
 
 void Preconditioner::to_step(const Eigen::VectorXd& y, Eigen::VectorXd& step) {
-  factor_->solve(CHOLMOD_Lt, CHOLMOD_Pt, y, step);
+  Factor& f = *factor_;
+  f.work = y;
+  std::visit([&](auto& triangle) { triangle.solve_transposed(f.work); }, f.triangle);
+  step.resize(y.size());
+  for (Index k = 0; k < y.size(); ++k) step[f.order[static_cast<std::size_t>(k)]] = f.work[k];
 }
 
 void Preconditioner::to_gradient(const Eigen::VectorXd& by_x, Eigen::VectorXd& by_y) {
-  factor_->solve(CHOLMOD_P, CHOLMOD_L, by_x, by_y);
+  Factor& f = *factor_;
+  by_y.resize(by_x.size());
+  for (Index k = 0; k < by_x.size(); ++k) by_y[k] = by_x[f.order[static_cast<std::size_t>(k)]];
+  std::visit([&](auto& triangle) { triangle.solve(by_y); }, f.triangle);
 }
 
-double Preconditioner::factor_size() const {
-  const cholmod_factor& f = *factor_->factor;
-  return static_cast<double>(f.is_super ? f.xsize : f.nzmax);
-}
+double Preconditioner::factor_size() const { return factor_->size; }
 
 }  // namespace wirepack

@@ -90,10 +90,11 @@ struct Descent {
             scenario.contact.excluded_arc_length};
   }
   auto energy() { return TotalEnergy(stretch, joints, wall, contact); }
+  double shift() const { return scenario.minimizer.shift * stiffness(scenario.wire).bend; }
   Eigen::SparseMatrix<double> curvature() {
     CurvatureModel model(chart);
     energy().add_curvature(chart.reference(), model);
-    return model.lower_triangle(scenario.minimizer.shift * stiffness(scenario.wire).bend);
+    return model.lower_triangle(shift());
   }
 };
 
@@ -250,7 +251,7 @@ void factorization(benchmark::State& bench) {
   Descent descent(bench);
   const Eigen::SparseMatrix<double> lower = descent.curvature();
   double factor_size = 0;
-  for (auto _ : bench) factor_size = Preconditioner(lower).factor_size();
+  for (auto _ : bench) factor_size = Preconditioner(lower, descent.shift()).factor_size();
   count_nodes(bench, descent);
   const auto nodes = static_cast<double>(descent.state.node_count());
   bench.counters["factor_nonzeros_per_node"] = factor_size / nodes;
@@ -259,7 +260,7 @@ void factorization(benchmark::State& bench) {
 
 void triangular_solves(benchmark::State& bench) {
   Descent descent(bench);
-  Preconditioner preconditioner(descent.curvature());
+  Preconditioner preconditioner(descent.curvature(), descent.shift());
   const Eigen::VectorXd y = descent.x;
   Eigen::VectorXd step, by_y;
   for (auto _ : bench) {

@@ -9,11 +9,13 @@ namespace wirepack {
 
 /// Cholesky factor P = L L^T (up to a fill-reducing permutation) of a curvature model, as a change
 /// of variables x = x0 + L^-T y: minimizing over y with the gradient L^-1 g is the preconditioned
-/// minimization over x. Factored by CHOLMOD.
+/// minimization over x. Factored by CHOLMOD, in double precision.
 class Preconditioner {
  public:
-  /// `lower` is the lower triangle of a positive definite matrix. Throws NumericalFailure if not.
-  explicit Preconditioner(const Eigen::SparseMatrix<double>& lower);
+  /// `lower` is the lower triangle of a positive definite matrix whose eigenvalues are not below
+  /// `smallest` (the shift of a curvature model): it decides whether the factor is kept in single
+  /// precision. Throws NumericalFailure if it is not positive definite.
+  Preconditioner(const Eigen::SparseMatrix<double>& lower, double smallest);
   ~Preconditioner();
   Preconditioner(Preconditioner&&) noexcept;
   Preconditioner& operator=(Preconditioner&&) noexcept;
