@@ -7,6 +7,22 @@ namespace wirepack {
 
 void insert(RodState& state, double arc_length) { state.inlet_rest_length += arc_length; }
 
+void slide_one_edge(RodState& state, const RodParams& params) {
+  const Index n = state.node_count();
+  const Vec3 before = (state.nodes.col(1) - state.nodes.col(2)).normalized();
+  const Vec3 last = (state.nodes.col(0) - state.nodes.col(1)).normalized();
+  const Quat turn = transport(before, last);
+  Points nodes(3, n + 1);
+  nodes.col(0) = state.nodes.col(0) + params.edge_length * (turn * last);
+  nodes.rightCols(n) = state.nodes;
+  state.nodes = nodes;
+  state.frames.insert(state.frames.begin(), turn * state.frames.front());
+  // the twist of the last joint belongs to the node that is inside now
+  state.twist_guide.insert(state.twist_guide.begin(), state.twist_guide.front());
+  carry_frames(state);
+  state.twist_guide = joint_twists(state);
+}
+
 bool split_is_due(const RodState& state, const RodParams& params) {
   return state.inlet_rest_length >= 1.5 * params.edge_length * (1 - 1e-12);
 }

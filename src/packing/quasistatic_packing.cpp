@@ -23,12 +23,24 @@ constexpr double smallest_substep = 1.0 / 64;
 // least), the increment is halved until a jump can be told from a kink of the force; what is left
 // then is a snap.
 constexpr double resolved_share = 0.02;
+// Whole edges always read the force at the same phase of the mesh, where it is steadily too low, by up
+// to this on coarse meshes (l = R / 5); halving them would not change that.
+constexpr double mesh_share = 0.05;
 constexpr double resolving_substep = 1.0 / 8;
 
 // A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
 // its frames drop out of the minimization.
 bool torsion_free(const Scenario& scenario) {
   return scenario.nozzle_twist == TwistCondition::free && scenario.wire.rest_darboux.isZero();
+}
+
+bool is_whole_edge(double length, const RodParams& wire) {
+  return std::abs(length - wire.edge_length) < 1e-9 * wire.edge_length;
+}
+
+// Then the wire slides, and the force is always read at the same phase of the mesh.
+bool feeds_whole_edges(const Scenario& scenario) {
+  return is_whole_edge(scenario.insertion.increment, scenario.wire);
 }
 
 Stiffness joint_stiffness(const Scenario& scenario) {
@@ -207,6 +219,13 @@ double QuasistaticPacking::length_of_step() const {
         step, length_at_density(*scenario_.stop.density, scenario_.cavity, scenario_.wire.radius) -
                   length);
   }
+  if (feeds_whole_edges(scenario_)) {
+    // Parts of an edge lead back to an inlet edge that is whole.
+    const double whole = scenario_.wire.edge_length;
+    const double edges = progress_.rod.inlet_rest_length / whole;
+    const double missing = whole * (std::ceil(edges - 1e-9) - edges);
+    if (missing > 1e-9 * whole) step = std::min(step, missing);
+  }
   return step;
 }
 
@@ -233,8 +252,10 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   StepResult result;
   RodState& rod = next.rod;
   double energy_before = next.last.energy_total;
+  const double fed = length_of_step();
+  const bool slides = is_whole_edge(fed, scenario_.wire) && feeds_whole_edges(scenario_);
   double force_before = next.last.force;
-  if (split_is_due(rod, scenario_.wire)) {
+  if (!slides && split_is_due(rod, scenario_.wire)) {
     split_inlet(rod, model_->nozzle, scenario_.wire);
     const EquilibriumReport split = relax(scenario_, *model_, rod);
     result.evaluations += split.evaluations;
@@ -245,9 +266,12 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
     energy_before = split.energy;
     force_before = split.inlet_length_force;
   }
-  const double fed = length_of_step();
   perturb(scenario_, rod, next.random_state);
-  insert(rod, fed);
+  if (slides) {
+    slide_one_edge(rod, scenario_.wire);
+  } else {
+    insert(rod, fed);
+  }
   const EquilibriumReport rest = relax(scenario_, *model_, rod);
   result.evaluations += rest.evaluations;
   next.rollbacks += rest.rounds_taken_back;
@@ -267,7 +291,8 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   next.balance.work += work;
   const double scale =
       fed * std::max({std::abs(row.force), std::abs(force_before), model_->force_unit});
-  result.unresolved = std::abs(missing) > resolved_share * scale;
+  result.unresolved =
+      missing > resolved_share * scale || missing < -(slides ? mesh_share : resolved_share) * scale;
   if (result.unresolved && missing > 0) {
     row.snap_energy = missing;
     next.balance.released += missing;

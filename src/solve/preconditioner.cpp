@@ -2,7 +2,6 @@
 
 #include <cholmod.h>
 #include <omp.h>
-
 #include <variant>
 #include <vector>
 

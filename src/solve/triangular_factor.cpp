@@ -95,9 +95,8 @@ void TriangularFactor<Entry>::solve(Eigen::VectorXd& v) {
     if (rows == 0) continue;
     const Entry* const block = below_.data() + node.below;
     std::fill_n(below, rows, 0.0);
-    by_four(node.columns, [&]<int K>(Index c) {
-      add_columns<K>(block + c * rows, rows, x + c, below);
-    });
+    by_four(node.columns,
+            [&]<int K>(Index c) { add_columns<K>(block + c * rows, rows, x + c, below); });
     const int* const row = rows_.data() + node.row_list;
     for (Index r = 0; r < rows; ++r) v[row[r]] -= below[r];
   }
@@ -113,9 +112,8 @@ void TriangularFactor<Entry>::solve_transposed(Eigen::VectorXd& v) {
       const int* const row = rows_.data() + node->row_list;
       for (Index r = 0; r < rows; ++r) below[r] = v[row[r]];
       const Entry* const block = below_.data() + node->below;
-      by_four(columns, [&]<int K>(Index c) {
-        subtract_products<K>(block + c * rows, rows, below, x + c);
-      });
+      by_four(columns,
+              [&]<int K>(Index c) { subtract_products<K>(block + c * rows, rows, below, x + c); });
     }
     // columns backwards: the entries of column c end where those of c + 1 start
     const double* const inverse = inverse_diagonal_.data() + node->first_column;

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cholmod.h>
-
 #include <Eigen/Core>
+#include <cholmod.h>
 #include <vector>
 
 #include "wirepack/core/types.hpp"
@@ -30,7 +29,7 @@ class TriangularFactor {
     std::size_t triangle, below, row_list;  ///< where their parts start
   };
   std::vector<Supernode> supernodes_;
-  std::vector<int> rows_;       ///< below the triangle, supernode by supernode
+  std::vector<int> rows_;        ///< below the triangle, supernode by supernode
   std::vector<Entry> triangle_;  ///< strictly below the diagonal, by columns
   std::vector<Entry> below_;     ///< rows below the triangle, by columns
   Eigen::VectorXd inverse_diagonal_;

@@ -10,6 +10,12 @@ namespace wirepack {
 /// where it was. The inlet edge is left compressed, for the minimizer to relax.
 void insert(RodState& state, double arc_length);
 
+/// Feeds one whole edge of wire (rest length edge_length) by sliding: a homogeneous wire that is fed
+/// moves along itself, so every edge takes the place and the frame of the one ahead of it, and the
+/// edge at the tip goes on with the curvature of the last joint. All but the tip stays at rest, and
+/// the inlet edge keeps its length, so that the force is always read at the same phase of the mesh.
+void slide_one_edge(RodState& state, const RodParams& params);
+
 /// The inlet edge has grown so far that it is to be split: 3/2 of the edge length.
 bool split_is_due(const RodState& state, const RodParams& params);
 

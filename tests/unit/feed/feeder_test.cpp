@@ -104,5 +104,28 @@ TEST(Feeder, EnergyJumpOfASplitVanishesWithTheMesh) {
   EXPECT_LT(fine, coarse / 3);  // at least second order
 }
 
+TEST(Feeder, SlidingOneEdgeMovesTheWireAlongItselfAndGoesOnWithItsCurvature) {
+  HeldWire wire(0.5);
+  const RodState before = wire.rod;
+  RodState after = before;
+  slide_one_edge(after, wire.params);
+  check_state(after);
+  const Index n = before.node_count();
+  ASSERT_EQ(after.node_count(), n + 1);
+  EXPECT_EQ(after.inlet_rest_length, before.inlet_rest_length);
+  EXPECT_EQ((after.nodes.rightCols(n) - before.nodes).norm(), 0);
+  const NodeEnergies was = node_energies(wire.params, before);
+  const NodeEnergies is = node_energies(wire.params, after);
+  // the old tip has become a joint, with the bending of the joint next to it and no more twist
+  const double rounding = 1e-10;
+  for (Index i = 1; i < n; ++i) {
+    EXPECT_NEAR(is.bend[i + 1], was.bend[i], rounding);
+    EXPECT_NEAR(is.twist[i + 1], was.twist[i], rounding);
+  }
+  EXPECT_NEAR(is.bend[1], was.bend[1], 1e-3 * was.bend[1]);
+  const double length = (after.nodes.col(0) - after.nodes.col(1)).norm();
+  EXPECT_NEAR(length, wire.params.edge_length, rounding);
+}
+
 }  // namespace
 }  // namespace wirepack
