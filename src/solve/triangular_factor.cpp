@@ -39,6 +39,9 @@ template <int K, class Entry>
   if constexpr (K > 3) x[3] -= s3;
 }
 
+// A triangle is solved number after number; a narrow one leaves the work to the columns below it.
+constexpr Index widest = 8;
+
 // Calls f.template operator()<K>(c) for columns c, K of them at a time.
 template <class F>
 [[gnu::always_inline]] inline void by_four(Index columns, F&& f) {
@@ -60,22 +63,27 @@ TriangularFactor<Entry>::TriangularFactor(const cholmod_factor& factor) {
   const auto* row = static_cast<const int*>(factor.s);
   const auto* value = static_cast<const double*>(factor.x);
   inverse_diagonal_.resize(static_cast<Index>(factor.n));
-  supernodes_.reserve(factor.nsuper);
+  panels_.reserve(factor.nsuper);
   Index most_rows = 0;
   for (std::size_t k = 0; k < factor.nsuper; ++k) {
     const Index columns = super[k + 1] - super[k];
     const Index rows = row_start[k + 1] - row_start[k];
-    supernodes_.push_back(
-        {super[k], columns, rows - columns, triangle_.size(), below_.size(), rows_.size()});
-    most_rows = std::max(most_rows, rows - columns);
-    for (Index c = 0; c < columns; ++c) {
-      const double* const column = value + value_start[k] + c * rows;
-      inverse_diagonal_[super[k] + c] = 1 / column[c];
-      const auto as_entry = [](double v) { return static_cast<Entry>(v); };
-      std::transform(column + c + 1, column + columns, std::back_inserter(triangle_), as_entry);
-      std::transform(column + columns, column + rows, std::back_inserter(below_), as_entry);
+    for (Index start = 0; start < columns; start += widest) {
+      const Index width = std::min(widest, columns - start);
+      const Index end = start + width;
+      panels_.push_back(
+          {super[k] + start, width, rows - end, triangle_.size(), below_.size(), rows_.size()});
+      most_rows = std::max(most_rows, rows - end);
+      for (Index c = start; c < end; ++c) {
+        const double* const column = value + value_start[k] + c * rows;
+        inverse_diagonal_[super[k] + c] = 1 / column[c];
+        const auto as_entry = [](double v) { return static_cast<Entry>(v); };
+        std::transform(column + c + 1, column + end, std::back_inserter(triangle_), as_entry);
+        std::transform(column + end, column + rows, std::back_inserter(below_), as_entry);
+      }
+      // in a supernode the rows of its own columns come first
+      rows_.insert(rows_.end(), row + row_start[k] + end, row + row_start[k + 1]);
     }
-    rows_.insert(rows_.end(), row + row_start[k] + columns, row + row_start[k + 1]);
   }
   work_.resize(static_cast<std::size_t>(most_rows));
 }
@@ -83,21 +91,21 @@ TriangularFactor<Entry>::TriangularFactor(const cholmod_factor& factor) {
 template <class Entry>
 void TriangularFactor<Entry>::solve(Eigen::VectorXd& v) {
   double* const below = work_.data();
-  for (const Supernode& node : supernodes_) {
-    double* const x = v.data() + node.first_column;
-    const double* const inverse = inverse_diagonal_.data() + node.first_column;
-    const Entry* entry = triangle_.data() + node.triangle;
-    for (Index c = 0; c < node.columns; ++c) {
+  for (const Panel& panel : panels_) {
+    double* const x = v.data() + panel.first_column;
+    const double* const inverse = inverse_diagonal_.data() + panel.first_column;
+    const Entry* entry = triangle_.data() + panel.triangle;
+    for (Index c = 0; c < panel.columns; ++c) {
       x[c] *= inverse[c];
-      for (Index r = c + 1; r < node.columns; ++r) x[r] -= static_cast<double>(*entry++) * x[c];
+      for (Index r = c + 1; r < panel.columns; ++r) x[r] -= static_cast<double>(*entry++) * x[c];
     }
-    const Index rows = node.rows_below;
+    const Index rows = panel.rows_below;
     if (rows == 0) continue;
-    const Entry* const block = below_.data() + node.below;
+    const Entry* const block = below_.data() + panel.below;
     std::fill_n(below, rows, 0.0);
-    by_four(node.columns,
+    by_four(panel.columns,
             [&]<int K>(Index c) { add_columns<K>(block + c * rows, rows, x + c, below); });
-    const int* const row = rows_.data() + node.row_list;
+    const int* const row = rows_.data() + panel.row_list;
     for (Index r = 0; r < rows; ++r) v[row[r]] -= below[r];
   }
 }
@@ -105,19 +113,19 @@ void TriangularFactor<Entry>::solve(Eigen::VectorXd& v) {
 template <class Entry>
 void TriangularFactor<Entry>::solve_transposed(Eigen::VectorXd& v) {
   double* const below = work_.data();
-  for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
-    double* const x = v.data() + node->first_column;
-    const Index rows = node->rows_below, columns = node->columns;
+  for (auto panel = panels_.rbegin(); panel != panels_.rend(); ++panel) {
+    double* const x = v.data() + panel->first_column;
+    const Index rows = panel->rows_below, columns = panel->columns;
     if (rows > 0) {
-      const int* const row = rows_.data() + node->row_list;
+      const int* const row = rows_.data() + panel->row_list;
       for (Index r = 0; r < rows; ++r) below[r] = v[row[r]];
-      const Entry* const block = below_.data() + node->below;
+      const Entry* const block = below_.data() + panel->below;
       by_four(columns,
               [&]<int K>(Index c) { subtract_products<K>(block + c * rows, rows, below, x + c); });
     }
     // columns backwards: the entries of column c end where those of c + 1 start
-    const double* const inverse = inverse_diagonal_.data() + node->first_column;
-    const Entry* entry = triangle_.data() + node->triangle + columns * (columns - 1) / 2;
+    const double* const inverse = inverse_diagonal_.data() + panel->first_column;
+    const Entry* entry = triangle_.data() + panel->triangle + columns * (columns - 1) / 2;
     for (Index c = columns; c-- > 0;) {
       entry -= columns - 1 - c;
       double sum = x[c];

@@ -8,11 +8,10 @@
 
 namespace wirepack {
 
-/// Lower triangular factor L of a permuted matrix, in supernodes: runs of columns with the same rows
-/// below their triangle. Taken from CHOLMOD's supernodal factor and laid out for its two solves alone,
-/// which read every entry once: entries are kept in single precision where that is good enough (half
-/// the memory traffic, which is what a solve costs) and computed with in double, so that both solves
-/// are exactly each other's transpose.
+/// Lower triangular factor L of a permuted matrix, in panels: a few columns with the same rows below
+/// their triangle, parts of a supernode of CHOLMOD's factor. Laid out for its two solves alone, which
+/// read every entry once: entries are kept in single precision where that is good enough (half the
+/// memory traffic) and computed with in double, so that both solves are exactly each other's transpose.
 template <class Entry>
 class TriangularFactor {
  public:
@@ -24,12 +23,12 @@ class TriangularFactor {
   void solve_transposed(Eigen::VectorXd& v);
 
  private:
-  struct Supernode {
+  struct Panel {
     Index first_column, columns, rows_below;
     std::size_t triangle, below, row_list;  ///< where their parts start
   };
-  std::vector<Supernode> supernodes_;
-  std::vector<int> rows_;        ///< below the triangle, supernode by supernode
+  std::vector<Panel> panels_;
+  std::vector<int> rows_;        ///< below the triangle, panel by panel
   std::vector<Entry> triangle_;  ///< strictly below the diagonal, by columns
   std::vector<Entry> below_;     ///< rows below the triangle, by columns
   Eigen::VectorXd inverse_diagonal_;

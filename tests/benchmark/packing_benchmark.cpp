@@ -58,6 +58,10 @@ void once(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK_CAPTURE(packing, r10_to_10_percent, Run{Setup::low_torsion, 10, 1, 0.5, 0.1})
     ->Apply(once);
+BENCHMARK_CAPTURE(packing, r10_by_edges_to_10_percent, Run{Setup::low_torsion, 10, 1, 1, 0.1})
+    ->Apply(once);
+BENCHMARK_CAPTURE(packing, r10_by_edges_to_30_percent, Run{Setup::low_torsion, 10, 1, 1, 0.3})
+    ->Apply(once);
 BENCHMARK_CAPTURE(packing, r10_coarse_to_30_percent, Run{Setup::low_torsion, 10, 2, 2, 0.3})
     ->Apply(once);
 BENCHMARK_CAPTURE(packing, r5_low_to_75_percent, Run{Setup::low_torsion, 5, 1, 0.5, 0.75})
@@ -65,6 +69,8 @@ BENCHMARK_CAPTURE(packing, r5_low_to_75_percent, Run{Setup::low_torsion, 5, 1, 0
 BENCHMARK_CAPTURE(packing, r5_high_to_75_percent, Run{Setup::high_torsion, 5, 1, 0.5, 0.75})
     ->Apply(once);
 BENCHMARK_CAPTURE(packing, r20_coarse_to_3_percent, Run{Setup::low_torsion, 20, 2, 1, 0.03})
+    ->Apply(once);
+BENCHMARK_CAPTURE(packing, r20_by_edges_to_10_percent, Run{Setup::low_torsion, 20, 2, 2, 0.1})
     ->Apply(once);
 
 }  // namespace
