@@ -96,21 +96,26 @@ double add_contact_energy(const LineKernel& kernel, const RodState& state,
     }
   };
 
-  LineGradient by_line;
+  // Pairs with a free end come last, so that the order of the sum depends on what touches alone and
+  // not on the other candidates.
+  const auto has_end = [&](const EdgePair& pair) {
+    return open && (pair.first == 0 || pair.second == last_edge);
+  };
   for (const EdgePair& pair : pairs) {
-    if (open && (pair.first == 0 || pair.second == last_edge)) {
-      const double e =
-          kernel.energy(line_of(state, pair.first), line_of(state, pair.second), by_line);
-      if (e == 0) continue;
-      energy += e;
-      add_to_edge(state, pair.first, by_line.midpoint1, by_line.vector1, by_node);
-      add_to_edge(state, pair.second, by_line.midpoint2, by_line.vector2, by_node);
-    } else if (candidates.add(pair)) {
-      sift_candidates();
-    }
+    if (!has_end(pair) && candidates.add(pair)) sift_candidates();
   }
   if (candidates.size > 0) sift_candidates();
   if (touching.size > 0) add_touching();
+  LineGradient by_line;
+  for (const EdgePair& pair : pairs) {
+    if (!has_end(pair)) continue;
+    const double e =
+        kernel.energy(line_of(state, pair.first), line_of(state, pair.second), by_line);
+    if (e == 0) continue;
+    energy += e;
+    add_to_edge(state, pair.first, by_line.midpoint1, by_line.vector1, by_node);
+    add_to_edge(state, pair.second, by_line.midpoint2, by_line.vector2, by_node);
+  }
   return energy;
 }
 

@@ -1,0 +1,74 @@
+#include "wirepack/contact/contact_sum.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "wirepack/core/random.hpp"
+
+#include "../../support/sample_rods.hpp"
+
+namespace wirepack {
+namespace {
+
+// Three turns of a coil whose strands overlap; both ends touch the turn beside them.
+RodState tight_coil(const RodParams& params) {
+  Random random(5);
+  Points nodes(3, 80);
+  for (Index i = 0; i < nodes.cols(); ++i) {
+    const double angle = 0.2 * static_cast<double>(i);
+    nodes.col(i) = Vec3(5 * std::cos(angle), 5 * std::sin(angle), 0.29 * angle) +
+                   0.05 * Vec3(random.symmetric(), random.symmetric(), random.symmetric());
+  }
+  return make_rod(nodes, params);
+}
+
+struct Sum {
+  double energy;
+  Points by_node;
+};
+
+Sum sum_of(const LineKernel& kernel, const RodState& rod, std::span<const EdgePair> pairs) {
+  Sum sum{0, Points::Zero(3, rod.node_count())};
+  sum.energy = add_contact_energy(kernel, rod, pairs, sum.by_node);
+  return sum;
+}
+
+TEST(ContactSum, FourPairsAtATimeGiveWhatTheKernelGivesForEach) {
+  const RodParams params;
+  const RodState rod = tight_coil(params);
+  const LineKernel kernel = LineKernel::per_length(5, 1, 1);
+  const NeighborList list(rod, {2, 1, pi}, 1);
+  const Sum sum = sum_of(kernel, rod, list.pairs());
+  double energy = 0;
+  Points by_node = Points::Zero(3, rod.node_count());
+  int touching = 0, at_ends = 0;
+  for (const auto& [i, j] : list.pairs()) {
+    LineGradient g;
+    const double e = kernel.energy(line_of(rod, i), line_of(rod, j), g);
+    if (e == 0) continue;
+    ++touching;
+    if (i == 0 || j == rod.edge_count() - 1) ++at_ends;
+    energy += e;
+    by_node.col(i) += g.midpoint1 / 2 - g.vector1;
+    by_node.col(i + 1) += g.midpoint1 / 2 + g.vector1;
+    by_node.col(j) += g.midpoint2 / 2 - g.vector2;
+    by_node.col(j + 1) += g.midpoint2 / 2 + g.vector2;
+  }
+  EXPECT_GT(touching, 40);
+  EXPECT_GT(at_ends, 1);
+  EXPECT_NEAR(sum.energy, energy, 1e-12 * energy);
+  EXPECT_LT((sum.by_node - by_node).cwiseAbs().maxCoeff(), 1e-12 * by_node.cwiseAbs().maxCoeff());
+}
+
+TEST(ContactSum, CandidatesThatDoNotTouchChangeNoBit) {
+  const RodParams params;
+  const RodState rod = tight_coil(params);
+  const LineKernel kernel = LineKernel::per_length(5, 1, 1);
+  const Sum wide = sum_of(kernel, rod, NeighborList(rod, {2, 1, pi}, 2).pairs());
+  const Sum narrow = sum_of(kernel, rod, NeighborList(rod, {2, 1, pi}, 0.1).pairs());
+  EXPECT_EQ(wide.energy, narrow.energy);
+  EXPECT_TRUE((wide.by_node.array() == narrow.by_node.array()).all());
+}
+
+}  // namespace
+}  // namespace wirepack
