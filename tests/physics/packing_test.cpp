@@ -54,7 +54,7 @@ TEST(Packing, ByWholeEdgesTheWireStoresWhatItStoresByPartsOfThem) {
   const PackedRun parts = pack(scenario);
   const double energy = parts.progress.last.energy_total;
   EXPECT_NEAR(whole.progress.last.energy_total, energy, 0.01 * energy);
-  // the force is always read at the same phase of the mesh, 0.4 % too low for l = R / 20
+  // the force is always read at the same phase of the mesh: 1 % too little work for l = R / 10
   const WorkBalance& balance = whole.progress.balance;
   EXPECT_NEAR(balance.work, whole.progress.last.energy_total + balance.released + balance.remeshing,
               0.01 * energy);
