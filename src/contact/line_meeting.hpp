@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <type_traits>
+
 #include "wirepack/contact/line_contact.hpp"
 #include "wirepack/core/lanes.hpp"
 
@@ -19,9 +22,7 @@ struct LineOf {
 };
 
 // A line inside the strand: no end to look after.
-struct NoEnd {
-  static constexpr bool before = false, after = false;
-};
+struct NoEnd {};
 struct FreeEnd {
   bool before, after;
 };
@@ -146,7 +147,7 @@ template <class T>
   const T overlap = kernel.touching_distance - distance;
   const T pair_weight = m.weight1.value * m.weight2.value;
   const double stiffness_step = kernel.parallel_stiffness - kernel.crossing_stiffness;
-  const T k = kernel.crossing_stiffness + stiffness_step * m.parallel;
+  const T k = kernel.pair_stiffness(m.parallel);
   const T spring = 0.5 * k * overlap * overlap;
 
   // Reverse sweep; x_bar is the derivative of the energy by x. First r and t,

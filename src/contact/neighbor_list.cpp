@@ -51,7 +51,7 @@ CellGrid sort_into_cells(const Points& points, double cell) {
 // Calls f(j, near) for every edge j with the edges k > j whose midpoints are within reach, in no
 // particular order.
 template <class F>
-void for_each_neighbourhood(const RodState& state, double reach, Index separation, F&& f) {
+void for_each_neighborhood(const RodState& state, double reach, Index separation, F&& f) {
   const Index edges = state.edge_count();
   Points midpoints(3, edges);
   for (Index j = 0; j < edges; ++j) {
@@ -103,7 +103,7 @@ Index first_touching_neighbor(const ContactRange& range) {
 
 std::vector<EdgePair> near_edges(const RodState& state, double reach, Index separation) {
   std::vector<EdgePair> pairs;
-  for_each_neighbourhood(state, reach, separation, [&](Index j, std::vector<Index>& near) {
+  for_each_neighborhood(state, reach, separation, [&](Index j, std::vector<Index>& near) {
     std::sort(near.begin(), near.end());
     for (const Index k : near) pairs.push_back({j, k});
   });
@@ -145,12 +145,12 @@ NeighborList::NeighborList(const RodState& state, const ContactRange& range, dou
     }
     near.resize(kept);
   };
-  for_each_neighbourhood(state, limit + 3 * longest, first_touching_neighbor(range),
-                         [&](Index j, std::vector<Index>& near) {
-                           keep_near_lines(j, near);
-                           std::sort(near.begin(), near.end());
-                           for (const Index k : near) pairs_.push_back({j, k});
-                         });
+  for_each_neighborhood(state, limit + 3 * longest, first_touching_neighbor(range),
+                        [&](Index j, std::vector<Index>& near) {
+                          keep_near_lines(j, near);
+                          std::sort(near.begin(), near.end());
+                          for (const Index k : near) pairs_.push_back({j, k});
+                        });
 }
 
 bool NeighborList::covers(const RodState& state) const {

@@ -23,10 +23,10 @@ constexpr double smallest_substep = 1.0 / 64;
 // least), the increment is halved until a jump can be told from a kink of the force; what is left
 // then is a snap.
 constexpr double resolved_share = 0.02;
+constexpr double resolving_substep = 1.0 / 8;
 // Whole edges always read the force at the same phase of the mesh, where it is steadily too low, by up
 // to this on coarse meshes (l = R / 5); halving them would not change that.
 constexpr double mesh_share = 0.05;
-constexpr double resolving_substep = 1.0 / 8;
 
 // A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
 // its frames drop out of the minimization.
@@ -38,7 +38,7 @@ bool is_whole_edge(double length, const RodParams& wire) {
   return std::abs(length - wire.edge_length) < 1e-9 * wire.edge_length;
 }
 
-// Then the wire slides, and the force is always read at the same phase of the mesh.
+// Whether increments are whole edges, by which the wire slides along itself.
 bool feeds_whole_edges(const Scenario& scenario) {
   return is_whole_edge(scenario.insertion.increment, scenario.wire);
 }
@@ -253,7 +253,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   RodState& rod = next.rod;
   double energy_before = next.last.energy_total;
   const double fed = length_of_step();
-  const bool slides = is_whole_edge(fed, scenario_.wire) && feeds_whole_edges(scenario_);
+  const bool slides = is_whole_edge(fed, scenario_.wire);
   double force_before = next.last.force;
   if (!slides && split_is_due(rod, scenario_.wire)) {
     split_inlet(rod, model_->nozzle, scenario_.wire);

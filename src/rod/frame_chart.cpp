@@ -1,5 +1,7 @@
 #include "wirepack/rod/frame_chart.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "wirepack/core/rotation.hpp"
@@ -18,6 +20,8 @@ void HeldUnknowns::hold_node(Index node) {
 
 FrameChart::FrameChart(RodState reference, const HeldUnknowns& held)
     : reference_(std::move(reference)), frames_follow_(held.frames_follow) {
+  assert(held.frames_follow ||
+         std::find(held.angle.begin(), held.angle.end(), false) == held.angle.end());
   for (Quat& frame : reference_.frames) frame.normalize();
   reference_.twist_guide = joint_twists(reference_);
   const Index n = reference_.node_count();

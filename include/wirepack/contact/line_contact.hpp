@@ -51,7 +51,8 @@ struct LineKernel {
   /// right angle they sum to 1.
   static constexpr double parallel_weight = 2.0 * 11 / 20;
   /// k for lines whose angle has this cos^8.
-  double pair_stiffness(double parallel) const {
+  template <class T>
+  T pair_stiffness(const T& parallel) const {
     return crossing_stiffness + (parallel_stiffness - crossing_stiffness) * parallel;
   }
   /// eta of parallel lines.

@@ -27,9 +27,6 @@ inline Lanes select(const LaneMask& condition, const Lanes& a, Lanes b) {
   return b;
 }
 
-inline bool any(bool condition) { return condition; }
-inline bool any(const LaneMask& condition) { return any_of(condition); }
-
 /// A vector whose components are numbers, or lanes of numbers: formulas written once for both.
 template <class T>
 struct Triple {

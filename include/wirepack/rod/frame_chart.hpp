@@ -13,7 +13,7 @@ struct HeldUnknowns {
   std::vector<bool> coordinate;  ///< 3 N: x, y, z of each node
   std::vector<bool> angle;       ///< one per frame: rotation about its own tangent
   /// False: set_state leaves the edge frames where they are, for energies that read positions alone;
-  /// carry_frames() (rod_state.hpp) brings them along afterwards.
+  /// carry_frames() (rod_state.hpp) brings them along afterwards. Needs every angle held.
   bool frames_follow = true;
 
   static HeldUnknowns none(const RodState& state);

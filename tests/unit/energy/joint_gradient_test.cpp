@@ -82,5 +82,38 @@ TEST(JointGradient, OfTwistAloneMatchesDifferencesForAllEnds) {
   expect_exact_gradients(only_twist, false);
 }
 
+TEST(JointGradient, OfTangentsAloneIsThatOfFramesWithoutTwist) {
+  const RodParams params;
+  Stiffness no_twist = stiffness(params);
+  no_twist.twist = 0;
+  Stiffness hardly_any = no_twist;
+  hardly_any.twist = 1e-200;  // frames are read, and their twist costs nothing
+  const JointEnergy of_tangents(params, no_twist), of_frames(params, hardly_any);
+  for (const RodEnds& ends :
+       {RodEnds{}, RodEnds{.closed = true}, RodEnds{.first_clamped = true, .last_clamped = true}}) {
+    RodState state = random_state(params, ends, 7);
+    state.inlet_rest_length = 1.3;
+    const FrameChart chart(state, HeldUnknowns::none(state));
+    Gradient by_tangents, by_frames;
+    set_zero(by_tangents, state);
+    set_zero(by_frames, state);
+    const double energy = of_tangents.add_gradient(state, by_tangents);
+    EXPECT_GT(energy, 0.1);
+    EXPECT_NEAR(of_frames.add_gradient(state, by_frames), energy, 1e-13 * energy);
+    EXPECT_NEAR(by_tangents.inlet_length, by_frames.inlet_length, 1e-13 * energy);
+    EXPECT_EQ(by_tangents.inlet_length == 0, ends.closed);
+    Eigen::VectorXd x_tangents, x_frames;
+    chart.pull_back(state, by_tangents.node, by_tangents.frame, x_tangents);
+    chart.pull_back(state, by_frames.node, by_frames.frame, x_frames);
+    const double largest = x_frames.cwiseAbs().maxCoeff();
+    EXPECT_GT(largest, 0.1);
+    EXPECT_LT((x_tangents - x_frames).cwiseAbs().maxCoeff(), 1e-12 * largest);
+    // a clamp's spin is no unknown of the chart, but its moment is part of the gradient
+    const Index clamps = static_cast<Index>(state.frames.size()) - state.edge_count();
+    EXPECT_LT((by_tangents.frame.rightCols(clamps) - by_frames.frame.rightCols(clamps)).norm(),
+              1e-12 * largest);
+  }
+}
+
 }  // namespace
 }  // namespace wirepack
