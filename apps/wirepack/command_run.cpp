@@ -126,6 +126,9 @@ int resume(const Scenario& scenario, const RunOptions& options) {
 int run(const RunOptions& options) {
   const Scenario scenario = scenario_of(options);
   if (options.dry_run) return show_plan(scenario);
+  if (scenario.method == Method::dynamic) {
+    throw InvalidInput("packing.method = \"dynamic\" is not in this version");
+  }
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
   const bool there = exists(options.output);
   if (there && !std::filesystem::is_regular_file(options.output)) {

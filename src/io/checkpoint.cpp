@@ -140,6 +140,8 @@ PackingProgress read_progress(hid_t file) {
   require_sizes(rod);
   const Hdf5Handle last = open_group(checkpoint, "last");
   for (const HistoryColumn& column : history_columns) {
+    const bool optional = column.of != ColumnOf::every_run;
+    if (optional && !has_attribute(last, std::string(column.name))) continue;
     progress.last.*column.value = read_attribute<double>(last, std::string(column.name));
   }
   for_each_balance_scalar(progress, read_from(open_group(file, "balance")));

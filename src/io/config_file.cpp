@@ -63,6 +63,10 @@ std::string quoted_list(const std::vector<std::string_view>& values) {
 std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given,
                                      std::string& problem) {
   const ConfigValue* value = given.value ? &*given.value : nullptr;
+  const auto* word = value != nullptr ? std::get_if<std::string>(value) : nullptr;
+  const bool chosen = word != nullptr &&
+                      std::find(key.choices.begin(), key.choices.end(), *word) != key.choices.end();
+  if (chosen) return *value;
   switch (key.type) {
     case ConfigType::boolean:
       if (value != nullptr && std::holds_alternative<bool>(*value)) return *value;
@@ -82,20 +86,14 @@ std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given
       } else if (value != nullptr && std::holds_alternative<std::int64_t>(*value)) {
         number = static_cast<double>(std::get<std::int64_t>(*value));
       }
-      if (std::isfinite(number) && (number > 0 || !key.positive)) return ConfigValue(number);
-      problem = key.positive ? "must be a positive, finite number" : "must be a finite number";
+      if (std::isfinite(number)) return ConfigValue(number);
+      problem = "must be a finite number";
+      if (!key.choices.empty()) problem += " or " + quoted_list(key.choices);
       return std::nullopt;
     }
-    case ConfigType::choice: {
-      const auto* v = value != nullptr ? std::get_if<std::string>(value) : nullptr;
-      const auto among = [&](const std::vector<std::string_view>& values) {
-        return v != nullptr && std::find(values.begin(), values.end(), *v) != values.end();
-      };
-      if (among(key.choices)) return *value;
-      problem = among(key.later_choices) ? "is not in this version; must be " : "must be ";
-      problem += quoted_list(key.choices);
+    case ConfigType::choice:
+      problem = "must be " + quoted_list(key.choices);
       return std::nullopt;
-    }
   }
   return std::nullopt;
 }
@@ -219,13 +217,15 @@ class Interpreter {
 
   Scenario defaults() const {
     const Scenario plain;
-    const ConfigValue* setup = value_of("packing.setup");
     Scenario chosen;
-    if (setup != nullptr) find("packing", "setup")->set(chosen, *setup);
-    return default_scenario(chosen.setup,
-                            SphericalCavity{number_or("cavity.radius", plain.cavity.radius)},
-                            number_or("wire.radius", plain.wire.radius),
-                            number_or("wire.youngs_modulus", plain.wire.youngs_modulus));
+    for (const char* name : {"setup", "method"}) {
+      const ConfigKey* key = find("packing", name);
+      if (const ConfigValue* value = value_of(key->path())) key->set(chosen, *value);
+    }
+    return default_scenario(
+        chosen.setup, SphericalCavity{number_or("cavity.radius", plain.cavity.radius)},
+        number_or("wire.radius", plain.wire.radius),
+        number_or("wire.youngs_modulus", plain.wire.youngs_modulus), chosen.method);
   }
 
   void check_values(const Scenario& scenario) {

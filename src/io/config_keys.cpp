@@ -16,6 +16,11 @@ constexpr std::array setup_names{std::pair{Setup::low_torsion, "low_torsion"},
 constexpr std::array twist_names{std::pair{TwistCondition::free, "free"},
                                  std::pair{TwistCondition::locked, "locked"}};
 
+constexpr std::array method_names{std::pair{Method::quasistatic, "quasistatic"},
+                                  std::pair{Method::dynamic, "dynamic"}};
+constexpr std::array friction_names{std::pair{FrictionModel::none, "none"},
+                                    std::pair{FrictionModel::coulomb, "coulomb"}};
+
 // Access to a member of a scenario, or to a member of a member.
 template <class Member>
 auto in(Member Scenario::*member) {
@@ -60,19 +65,44 @@ ConfigKey member(std::string_view section, std::string_view name, Access access)
   return key;
 }
 
+// A key without a value until it is given.
 template <class Access>
-ConfigKey limit(std::string_view name, Access access) {
+ConfigKey optional_number(std::string_view section, std::string_view name, Access access) {
   using Value =
       typename std::remove_reference_t<decltype(access(std::declval<Scenario&>()))>::value_type;
-  ConfigKey key = named("stop", name);
+  ConfigKey key = named(section, name);
   key.type = std::is_same_v<Value, double> ? ConfigType::number : ConfigType::integer;
-  key.may_change = true;
   key.set = [access](Scenario& s, const ConfigValue& v) { access(s) = std::get<Value>(v); };
   key.get = [access](const Scenario& s) {
     const std::optional<Value> value = access(s);
     return value ? std::optional<ConfigValue>(*value) : std::nullopt;
   };
   return key;
+}
+
+ConfigKey may_change(ConfigKey key) {
+  key.may_change = true;
+  return key;
+}
+
+// A number, or the word that leaves it to the program.
+ConfigKey or_auto(ConfigKey key) {
+  key.choices = {"auto"};
+  const auto set = key.set;
+  key.set = [set](Scenario& s, const ConfigValue& v) {
+    if (std::holds_alternative<double>(v)) set(s, v);
+  };
+  const auto get = key.get;
+  key.get = [get](const Scenario& s) {
+    const std::optional<ConfigValue> value = get(s);
+    return value ? *value : ConfigValue(std::string("auto"));
+  };
+  return key;
+}
+
+template <class Access>
+ConfigKey limit(std::string_view name, Access access) {
+  return may_change(optional_number("stop", name, access));
 }
 
 template <class Names, class Access>
@@ -96,13 +126,11 @@ ConfigKey choice(std::string_view section, std::string_view name, const Names& n
   return key;
 }
 
-// A choice of which this version has one value only.
-ConfigKey only(std::string_view section, std::string_view name, std::string_view value,
-               std::vector<std::string_view> later) {
+// A choice that has one value only.
+ConfigKey only(std::string_view section, std::string_view name, std::string_view value) {
   ConfigKey key = named(section, name);
   key.type = ConfigType::choice;
   key.choices = {value};
-  key.later_choices = std::move(later);
   key.set = [](Scenario&, const ConfigValue&) {};
   key.get = [value](const Scenario&) { return ConfigValue(std::string(value)); };
   return key;
@@ -124,15 +152,6 @@ ConfigKey precurvature() {
   return key;
 }
 
-// Only a method that has inertia uses it; quasi-static runs of the same scenario accept it.
-ConfigKey density() {
-  ConfigKey key = named("wire", "density");
-  key.positive = true;
-  key.set = [](Scenario&, const ConfigValue&) {};
-  key.get = [](const Scenario&) { return std::nullopt; };
-  return key;
-}
-
 ConfigKey seed() {
   ConfigKey key = member("packing", "seed", in(&Scenario::seed));
   key.get = [](const Scenario& s) {
@@ -144,17 +163,12 @@ ConfigKey seed() {
   return key;
 }
 
-ConfigKey may_change(ConfigKey key) {
-  key.may_change = true;
-  return key;
-}
-
 }  // namespace
 
 std::vector<ConfigKey> config_keys() {
   return {
       choice("packing", "setup", setup_names, in(&Scenario::setup)),
-      only("packing", "method", "quasistatic", {"dynamic"}),
+      choice("packing", "method", method_names, in(&Scenario::method)),
       seed(),
       member("wire", "radius", in(&Scenario::wire, &RodParams::radius)),
       member("wire", "youngs_modulus", in(&Scenario::wire, &RodParams::youngs_modulus)),
@@ -162,8 +176,8 @@ std::vector<ConfigKey> config_keys() {
       member("wire", "stretch_multiplier", in(&Scenario::wire, &RodParams::stretch_multiplier)),
       member("wire", "edge_length", in(&Scenario::wire, &RodParams::edge_length)),
       precurvature(),
-      density(),
-      only("cavity", "shape", "sphere", {}),
+      member("wire", "density", in(&Scenario::density)),
+      only("cavity", "shape", "sphere"),
       member("cavity", "radius", in(&Scenario::cavity, &SphericalCavity::radius)),
       member("cavity", "wall_stiffness", in(&Scenario::wall_stiffness)),
       choice("nozzle", "twist", twist_names, in(&Scenario::nozzle_twist)),
@@ -186,7 +200,16 @@ std::vector<ConfigKey> config_keys() {
       member("minimizer", "refactor_every",
              in(&Scenario::minimizer, &MinimizerOptions::refactor_every)),
       member("minimizer", "shift", in(&Scenario::minimizer, &MinimizerOptions::shift)),
-      only("friction", "model", "none", {"coulomb"}),
+      choice("friction", "model", friction_names, in(&Scenario::friction, &FrictionParams::model)),
+      member("friction", "static", in(&Scenario::friction, &FrictionParams::static_coefficient)),
+      member("friction", "dynamic", in(&Scenario::friction, &FrictionParams::dynamic_coefficient)),
+      member("friction", "slip_tolerance",
+             in(&Scenario::friction, &FrictionParams::slip_tolerance)),
+      optional_number("dynamics", "damping", in(&Scenario::dynamics, &DynamicsOptions::damping)),
+      optional_number("dynamics", "insertion_speed",
+                      in(&Scenario::dynamics, &DynamicsOptions::insertion_speed)),
+      or_auto(optional_number("dynamics", "time_step",
+                              in(&Scenario::dynamics, &DynamicsOptions::time_step))),
       may_change(member("output", "frame_every_density",
                         in(&Scenario::output, &OutputOptions::frame_every_density))),
       may_change(member("output", "checkpoint_every_seconds",
@@ -194,9 +217,6 @@ std::vector<ConfigKey> config_keys() {
   };
 }
 
-std::vector<LaterKey> later_keys() {
-  return {{"wire", "reference_shape"},    {"friction", "static"}, {"friction", "dynamic"},
-          {"friction", "slip_tolerance"}, {"dynamics", ""},       {"imperfection", ""}};
-}
+std::vector<LaterKey> later_keys() { return {{"wire", "reference_shape"}, {"imperfection", ""}}; }
 
 }  // namespace wirepack

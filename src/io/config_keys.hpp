@@ -21,12 +21,9 @@ enum class ConfigType { boolean, integer, number, choice };
 struct ConfigKey {
   std::string_view section, name;
   ConfigType type = ConfigType::number;
-  std::vector<std::string_view> choices;        ///< values of a choice
-  std::vector<std::string_view> later_choices;  ///< known, but not in this version
+  std::vector<std::string_view> choices;  ///< of a choice; words that may stand for a number
   std::int64_t smallest = std::numeric_limits<std::int64_t>::min();  ///< of an integer
   std::int64_t largest = std::numeric_limits<std::int64_t>::max();
-  bool positive =
-      false;  ///< a number that problems(Scenario) cannot check, as it has no place there
   bool may_change = false;  ///< of no influence on the increments of a run
   std::function<void(Scenario&, const ConfigValue&)> set;
   /// Nothing when the key has no value: a limit that is not set.

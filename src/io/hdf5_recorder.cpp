@@ -37,9 +37,10 @@ std::vector<T> column_of(const std::vector<HistoryRow>& rows, double HistoryRow:
   return values;
 }
 
-void write_history(hid_t file, const std::vector<HistoryRow>& rows) {
+void write_history(hid_t file, const std::vector<HistoryColumn>& columns,
+                   const std::vector<HistoryRow>& rows) {
   const Hdf5Handle history = open_or_create_group(file, "history");
-  for (const HistoryColumn& column : history_columns) {
+  for (const HistoryColumn& column : columns) {
     const std::string name(column.name);
     const bool is_new = !has_link(history, name);
     if (column.integer) {
@@ -115,7 +116,7 @@ void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReas
     write_attribute(image, "finished", static_cast<std::int64_t>(stop.has_value()));
     write_attribute(image, "stop_reason", stop ? std::string(name_of(*stop)) : std::string());
     write_attribute(image, "phi_max", progress.last.packing_density);
-    write_history(image, rows_);
+    write_history(image, columns_of(scenario_), rows_);
     const Hdf5Handle frames = open_or_create_group(image, "frames");
     for (const PackingFrame& frame : frames_) write_frame(frames, frame);
     write_progress(image, progress);

@@ -36,7 +36,7 @@ Hdf5Handle text_type() {
 }
 
 Hdf5Handle open_attribute(hid_t location, const std::string& name, hid_t type) {
-  if (hdf5_checked(H5Aexists(location, name.c_str()), "looking for attribute " + name) > 0) {
+  if (has_attribute(location, name)) {
     return {H5Aopen(location, name.c_str(), H5P_DEFAULT), H5Aclose, "opening attribute " + name};
   }
   return {H5Acreate2(location, name.c_str(), type, scalar_space(), H5P_DEFAULT, H5P_DEFAULT),
@@ -94,6 +94,10 @@ void remove_link(hid_t location, const std::string& name) {
 
 Hdf5Handle open_group(hid_t location, const std::string& name) {
   return {H5Gopen2(location, name.c_str(), H5P_DEFAULT), H5Gclose, "opening " + name};
+}
+
+bool has_attribute(hid_t location, const std::string& name) {
+  return hdf5_checked(H5Aexists(location, name.c_str()), "looking for attribute " + name) > 0;
 }
 
 Hdf5Handle open_or_create_group(hid_t location, const std::string& name) {

@@ -32,6 +32,7 @@ void remove_link(hid_t location, const std::string& name);
 template <class T>
 void write_attribute(hid_t location, const std::string& name, T value);
 void write_attribute(hid_t location, const std::string& name, const std::string& value);
+bool has_attribute(hid_t location, const std::string& name);
 template <class T>
 T read_attribute(hid_t location, const std::string& name);
 std::string read_text_attribute(hid_t location, const std::string& name);

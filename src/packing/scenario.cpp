@@ -9,9 +9,11 @@
 namespace wirepack {
 
 Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius,
-                          double youngs_modulus) {
+                          double youngs_modulus, Method method) {
   Scenario scenario;
   scenario.setup = setup;
+  scenario.method = method;
+  if (method == Method::dynamic) scenario.friction.model = FrictionModel::coulomb;
   scenario.cavity = cavity;
   scenario.wire.radius = wire_radius;
   scenario.wire.youngs_modulus = youngs_modulus;
@@ -31,6 +33,7 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
 
 std::vector<std::string> problems(const Scenario& scenario) {
   std::vector<std::string> found = problems(scenario.wire);
+  for (const std::string& problem : problems(scenario.friction)) found.push_back(problem);
   const auto require = [&](bool ok, const char* key, double value, const std::string& allowed) {
     if (ok) return;
     std::ostringstream text;
@@ -60,6 +63,11 @@ std::vector<std::string> problems(const Scenario& scenario) {
       shortest << "must be at least a tenth of wire.radius = " << a;
       require(l >= a / 10, "wire.edge_length", l, shortest.str());
     }
+  }
+  if (scenario.method == Method::quasistatic && scenario.friction.model == FrictionModel::coulomb) {
+    found.emplace_back(
+        "friction.model = \"coulomb\": is not in this version for packing.method = "
+        "\"quasistatic\"");
   }
   require(positive(scenario.wall_stiffness), "cavity.wall_stiffness", scenario.wall_stiffness,
           must_be_positive);
@@ -102,6 +110,20 @@ std::vector<std::string> problems(const Scenario& scenario) {
   if (stop.increments) {
     require(*stop.increments > 0, "stop.increments", static_cast<double>(*stop.increments),
             "must be at least 1");
+  }
+
+  require(positive(scenario.density), "wire.density", scenario.density, must_be_positive);
+  if (scenario.dynamics.damping) {
+    require(not_negative(*scenario.dynamics.damping), "dynamics.damping",
+            *scenario.dynamics.damping, "must be finite and not negative");
+  }
+  if (scenario.dynamics.insertion_speed) {
+    require(positive(*scenario.dynamics.insertion_speed), "dynamics.insertion_speed",
+            *scenario.dynamics.insertion_speed, must_be_positive);
+  }
+  if (scenario.dynamics.time_step) {
+    require(positive(*scenario.dynamics.time_step), "dynamics.time_step",
+            *scenario.dynamics.time_step, must_be_positive);
   }
 
   const MinimizerOptions& m = scenario.minimizer;

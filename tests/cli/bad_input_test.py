@@ -33,7 +33,7 @@ class BadInput(ProgramTest):
             ("[cavity]\nradius = inf", "must be a finite number"),
             ("[cavity]\nradius = 1.5", "must be at least twice wire.radius"),
             ("[wire]\npoisson_ratio = 0.7", "run.toml:2:1: wire.poisson_ratio = 0.7"),
-            ("[wire]\ndensity = 0", "must be a positive, finite number"),
+            ("[wire]\ndensity = 0", "must be positive and finite"),
             ("[wire]\nedge_length = -1", "wire.edge_length = -1: must be positive"),
             ("[packing]\nseed = -1", "from 0 to"),
             ("[minimizer]\nmemory = 3000000000", "minimizer.memory"),
@@ -65,15 +65,22 @@ class BadInput(ProgramTest):
 
     def test_what_this_version_does_not_have(self):
         not_here = "is not in this version"
-        self.refuse_config('[packing]\nmethod = "dynamic"', not_here)
         self.refuse_config('[friction]\nmodel = "coulomb"', not_here)
         self.refuse_config('[wire]\nreference_shape = "shape.toml"', not_here)
-        self.refuse_config("[dynamics]\ndamping = 1", not_here)
         self.refuse_config("[imperfection]\nx = 1", not_here)
-        self.write("run.toml", SMALL_RUN)
-        self.refuse(
-            ["run", "run.toml", "-o", "out.h5", "--method", "dynamic"], "--method dynamic", not_here
-        )
+
+    def test_friction_and_dynamics_that_cannot_be(self):
+        dynamic = '[packing]\nmethod = "dynamic"\n'
+        for text, allowed in [
+            ("[friction]\nstatic = 0.1", "friction.dynamic = 0.18: must be between 0 and friction"),
+            ("[friction]\nstatic = -1\ndynamic = 0", "friction.static = -1: must be between 0 and"),
+            ("[friction]\nslip_tolerance = 1", "friction.slip_tolerance = 1: must be between"),
+            ("[dynamics]\ndamping = -0.1", "dynamics.damping = -0.1: must be finite and not neg"),
+            ("[dynamics]\ninsertion_speed = 0", "dynamics.insertion_speed = 0: must be positive"),
+            ('[dynamics]\ntime_step = "slow"', 'must be a finite number or "auto"'),
+        ]:
+            with self.subTest(text):
+                self.refuse_config(dynamic + text, allowed)
 
     def test_all_problems_are_named_at_once(self):
         text = "[cavity]\nradius = -1\nraduis = 2\n[stop]\nforce = true\n[packing]\nsetup = 1"

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
+
+#include "wirepack/packing/scenario.hpp"
 
 namespace wirepack {
 
@@ -26,16 +29,28 @@ struct HistoryRow {
   double contacts = 0;
   double max_overlap = 0;
   double wall_seconds = 0;  ///< since the start; the only column that differs between equal runs
+  // Of runs with friction:
+  double friction_dissipation = 0;  ///< within this increment
+  // Of runs with inertia:
+  double time = 0;
+  double energy_kinetic = 0;
+  double viscous_dissipation = 0;  ///< within this increment
+  double work = 0;                 ///< of the insertion within this increment
+  double audit_residual = 0;       ///< part of all work so far that has gone nowhere
 };
+
+/// Which runs have a column.
+enum class ColumnOf { every_run, friction, inertia };
 
 /// Name, unit and place of a column. Units are powers of the base units of the configuration.
 struct HistoryColumn {
   std::string_view name, unit;
   double HistoryRow::*value;
   bool integer = false;
+  ColumnOf of = ColumnOf::every_run;
 };
 
-inline constexpr std::array<HistoryColumn, 18> history_columns{{
+inline constexpr std::array<HistoryColumn, 24> history_columns{{
     {"increment", "1", &HistoryRow::increment, true},
     {"inserted_length", "length", &HistoryRow::inserted_length},
     {"packing_density", "1", &HistoryRow::packing_density},
@@ -54,6 +69,17 @@ inline constexpr std::array<HistoryColumn, 18> history_columns{{
     {"contacts", "1", &HistoryRow::contacts, true},
     {"max_overlap", "length", &HistoryRow::max_overlap},
     {"wall_seconds", "s", &HistoryRow::wall_seconds},
+    {"friction_dissipation", "force length", &HistoryRow::friction_dissipation, false,
+     ColumnOf::friction},
+    {"time", "time", &HistoryRow::time, false, ColumnOf::inertia},
+    {"energy_kinetic", "force length", &HistoryRow::energy_kinetic, false, ColumnOf::inertia},
+    {"viscous_dissipation", "force length", &HistoryRow::viscous_dissipation, false,
+     ColumnOf::inertia},
+    {"work", "force length", &HistoryRow::work, false, ColumnOf::inertia},
+    {"audit_residual", "1", &HistoryRow::audit_residual, false, ColumnOf::inertia},
 }};
+
+/// The columns that a run of this scenario has.
+std::vector<HistoryColumn> columns_of(const Scenario& scenario);
 
 }  // namespace wirepack

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "wirepack/contact/cavity.hpp"
+#include "wirepack/contact/friction_params.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
 #include "wirepack/feed/nozzle.hpp"
 #include "wirepack/rod/rod_params.hpp"
@@ -33,13 +34,25 @@ struct OutputOptions {
   double checkpoint_every_seconds = 30;  ///< the file is at most this old
 };
 
-enum class Setup { low_torsion, high_torsion };
+/// How a run with inertia goes on in time. What is not set follows from the wire and the cavity
+/// (see dynamics_values), as only ratios to the speed of sound c = sqrt(Y / rho) matter.
+struct DynamicsOptions {
+  std::optional<double> damping;          ///< rate g of the viscous forces [1 / time]
+  std::optional<double> insertion_speed;  ///< [length / time]
+  std::optional<double> time_step;        ///< "auto": from the stiffest mode [time]
+};
 
-/// Everything that defines a quasi-static run. The same scenario gives the same bits.
+enum class Setup { low_torsion, high_torsion };
+/// Energy minimization after each increment, or integration in time.
+enum class Method { quasistatic, dynamic };
+
+/// Everything that defines a run. The same scenario gives the same bits.
 struct Scenario {
   Setup setup = Setup::low_torsion;
+  Method method = Method::quasistatic;
   std::uint64_t seed = 1;
   RodParams wire;
+  double density = 1;  ///< rho of the wire, for runs with inertia [mass / length^3]
   SphericalCavity cavity;
   double wall_stiffness = 5;  ///< force per length of wire and per overlap [force / length^2]
   TwistCondition nozzle_twist = TwistCondition::free;
@@ -48,6 +61,8 @@ struct Scenario {
   InsertionOptions insertion;
   StopLimits stop;
   MinimizerOptions minimizer;
+  FrictionParams friction;
+  DynamicsOptions dynamics;
   OutputOptions output;
 };
 
@@ -56,9 +71,9 @@ struct Scenario {
 /// curvature 1 / (2 R) whose rotation is blocked. Edges are R / 10 long, R / 20 in high torsion
 /// (whose force is so small that the mesh at the inlet shows sooner), but a/2 at least and 2 a at
 /// most; increments are half an edge, stiffnesses of contacts are Y, and the run ends at
-/// F R^2 / YI = 10.
+/// F R^2 / YI = 10. Runs with inertia have Coulomb friction, others none.
 Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius = 1,
-                          double youngs_modulus = 5);
+                          double youngs_modulus = 5, Method method = Method::quasistatic);
 
 /// Every impossible value as "key = value: what is allowed"; empty when the scenario is valid.
 std::vector<std::string> problems(const Scenario& scenario);

@@ -30,7 +30,9 @@ class Hdf5File : public ::testing::Test {
   }
 
   std::filesystem::path folder_;
-  Scenario scenario_ = default_scenario(Setup::high_torsion, SphericalCavity{5});
+  // a run that has every column
+  Scenario scenario_ =
+      default_scenario(Setup::high_torsion, SphericalCavity{5}, 1, 5, Method::dynamic);
 };
 
 HistoryRow row_of(int increment) {
@@ -138,6 +140,17 @@ TEST_F(Hdf5File, rows_of_many_flushes_come_back_in_order) {
       ASSERT_EQ(rows[i].*column.value, expected.*column.value) << column.name << " " << i;
     }
   }
+}
+
+TEST_F(Hdf5File, a_run_without_friction_and_inertia_has_none_of_their_columns) {
+  const Scenario plain = default_scenario(Setup::high_torsion, SphericalCavity{5});
+  Hdf5Recorder recorder(file(), plain, "test");
+  recorder.add(row_of(1));
+  recorder.flush(progress_of(1, 20));
+  const HistoryRow row = Hdf5Reader(file()).history().front();
+  EXPECT_EQ(row.energy_bend, row_of(1).energy_bend);
+  EXPECT_EQ(row.friction_dissipation, 0);
+  EXPECT_EQ(row.work, 0);
 }
 
 TEST_F(Hdf5File, frames_come_back) {

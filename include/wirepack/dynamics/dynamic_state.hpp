@@ -1,0 +1,54 @@
+#pragma once
+
+#include "wirepack/core/types.hpp"
+#include "wirepack/dynamics/gear_values.hpp"
+#include "wirepack/rod/rod_state.hpp"
+
+namespace wirepack {
+
+/// A moving wire: plain data, everything that the next step depends on but the memory of friction.
+///
+/// Unknowns are the nodes and, for each frame, its spin angle about its own tangent. The frame of an
+/// edge is kept exactly adapted: from one moment to the next it is carried along by parallel
+/// transport from the old to the new tangent t (the smallest rotation), then turned about the new
+/// tangent by the change of its spin angle. Its angular velocity is therefore
+///
+///     omega = t x dt/dt + t dspin/dt.
+///
+/// Transport along the way of the tangent differs from that along the chord of a step by the area
+/// between them on the sphere, h^3 / 12 (t x t').t''; with it twist, energy and angular momentum
+/// follow with the order of the integrator.
+struct DynamicState {
+  RodState rod;      ///< nodes and frames where the forces of the last step were taken
+  GearValues nodes;  ///< 3N x 6; column 0 are the coordinates of rod.nodes
+  GearValues spins;  ///< frames x 6; column 0 is the turn that the frames have not made yet [rad]
+  double time = 0;
+  double step = 0;        ///< h that nodes and spins are scaled with
+  double feed_speed = 0;  ///< d(rod.inlet_rest_length)/dt
+
+  Vec3 velocity(Index node) const { return nodes.col(1).segment<3>(3 * node) / step; }
+  double spin_rate(Index frame) const { return spins(frame, 1) / step; }
+};
+
+/// The rod at rest.
+DynamicState at_rest(RodState rod, double step);
+
+/// Gives every node and frame a velocity, and zeroes all higher derivatives.
+void set_velocities(DynamicState& state, const Points& velocity, const Eigen::VectorXd& spin_rate);
+
+/// Takes rod.nodes from column 0 of `nodes` and lets the frames follow: transport to the new
+/// tangents, then the turns of column 0 of `spins` about them, which are made with that. Throws
+/// NumericalFailure for an edge without length.
+void follow_nodes(DynamicState& state);
+
+/// Motion of the edges as rigid bodies, derived from a state.
+struct EdgeMotion {
+  Points edge;              ///< 3 x E, node to node
+  Points tangent;           ///< 3 x E
+  Eigen::VectorXd length;   ///< E, as they are now
+  Points angular_velocity;  ///< 3 x E, of the frames, world axes
+};
+/// Reuses the memory of `motion`.
+void set_edge_motion(const DynamicState& state, EdgeMotion& motion);
+
+}  // namespace wirepack
