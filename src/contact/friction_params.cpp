@@ -17,9 +17,9 @@ std::vector<std::string> problems(const FrictionParams& params) {
   std::ostringstream allowed;
   allowed << "must be between 0 and friction.static = " << params.static_coefficient
           << ": sliding wire is held by no more than resting wire";
-  require(
-      params.dynamic_coefficient >= 0 && params.dynamic_coefficient <= params.static_coefficient,
-      "friction.dynamic", params.dynamic_coefficient, allowed.str());
+  require(!possible || (params.dynamic_coefficient >= 0 &&
+                        params.dynamic_coefficient <= params.static_coefficient),
+          "friction.dynamic", params.dynamic_coefficient, allowed.str());
   require(params.slip_tolerance >= 1e-4 && params.slip_tolerance <= 0.1, "friction.slip_tolerance",
           params.slip_tolerance, "must be between 1e-4 and 0.1 (wire radii)");
   return found;
