@@ -1,6 +1,7 @@
 #include "wirepack/contact/contact_sum.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "line_meeting.hpp"
 
@@ -47,17 +48,35 @@ struct Batch {
   }
 };
 
-}  // namespace
+// What becomes of the touching pairs beside their energy: nothing, or a list.
+struct Unlisted {
+  void add(const EdgePair&, const LineKernel&, const Meeting<Lanes>&, int) const {}
+  void add(const EdgePair&, const LineKernel&, const Line&, const Line&) const {}
+};
 
-Line line_of(const RodState& state, Index edge) {
-  const Vec3 a = state.nodes.col(edge);
-  const Vec3 b = state.nodes.col(next_node(state, edge));
-  const bool open = !state.ends.closed;
-  return {(a + b) / 2, b - a, open && edge == 0, open && edge == state.edge_count() - 1};
-}
+struct Listed {
+  std::vector<SelfContact>& touching;
 
-double add_contact_energy(const LineKernel& kernel, const RodState& state,
-                          std::span<const EdgePair> pairs, Points& by_node) {
+  void add(const EdgePair& pair, const LineKernel& kernel, const Meeting<Lanes>& m,
+           int lane_index) {
+    const auto k = static_cast<std::size_t>(lane_index);
+    add(pair, kernel,
+        {m.s.value[k], m.t.value[k],
+         m.weight1.value[k] * m.weight2.value[k] * kernel.pair_stiffness<double>(m.parallel[k]),
+         lane(m.separation, lane_index), std::sqrt(m.squared_distance[k])});
+  }
+  void add(const EdgePair& pair, const LineKernel& kernel, const Line& first, const Line& second) {
+    if (const auto touch = kernel.touch(first, second)) add(pair, kernel, *touch);
+  }
+  void add(const EdgePair& pair, const LineKernel& kernel, const LineContact& line) {
+    const double overlap = kernel.touching_distance - line.distance;
+    touching.push_back({pair, line, overlap, line.stiffness * overlap});
+  }
+};
+
+template <class Sink>
+double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<const EdgePair> pairs,
+                 Points& by_node, Sink sink) {
   const Index last_edge = state.edge_count() - 1;
   const bool open = !state.ends.closed;
   const NoEnd no_end;
@@ -75,6 +94,7 @@ double add_contact_energy(const LineKernel& kernel, const RodState& state,
     for (int k = 0; k < count; ++k) {
       const EdgePair& pair = touching.pairs[static_cast<std::size_t>(k)];
       energy += energies[static_cast<std::size_t>(k)];
+      sink.add(pair, kernel, m, k);
       add_to_edge(state, pair.first, lane(gradient.midpoint1, k), lane(gradient.vector1, k),
                   by_node);
       add_to_edge(state, pair.second, lane(gradient.midpoint2, k), lane(gradient.vector2, k),
@@ -109,14 +129,36 @@ double add_contact_energy(const LineKernel& kernel, const RodState& state,
   LineGradient by_line;
   for (const EdgePair& pair : pairs) {
     if (!has_end(pair)) continue;
-    const double e =
-        kernel.energy(line_of(state, pair.first), line_of(state, pair.second), by_line);
+    const Line first = line_of(state, pair.first), second = line_of(state, pair.second);
+    const double e = kernel.energy(first, second, by_line);
     if (e == 0) continue;
     energy += e;
+    sink.add(pair, kernel, first, second);
     add_to_edge(state, pair.first, by_line.midpoint1, by_line.vector1, by_node);
     add_to_edge(state, pair.second, by_line.midpoint2, by_line.vector2, by_node);
   }
   return energy;
+}
+
+}  // namespace
+
+Line line_of(const RodState& state, Index edge) {
+  const Vec3 a = state.nodes.col(edge);
+  const Vec3 b = state.nodes.col(next_node(state, edge));
+  const bool open = !state.ends.closed;
+  return {(a + b) / 2, b - a, open && edge == 0, open && edge == state.edge_count() - 1};
+}
+
+double add_contact_energy(const LineKernel& kernel, const RodState& state,
+                          std::span<const EdgePair> pairs, Points& by_node) {
+  return sum_pairs(kernel, state, pairs, by_node, Unlisted{});
+}
+
+double add_contact_energy(const LineKernel& kernel, const RodState& state,
+                          std::span<const EdgePair> pairs, Points& by_node,
+                          std::vector<SelfContact>& touching) {
+  touching.clear();
+  return sum_pairs(kernel, state, pairs, by_node, Listed{touching});
 }
 
 }  // namespace wirepack

@@ -2,7 +2,7 @@
 
 namespace wirepack {
 
-DampingPower add_damping(double rate, const DynamicState& state, const EdgeMotion& motion,
+DampingPower add_damping(double rate, const DynamicState& state, const WireMotion& motion,
                          const Inertia& inertia, Rates& rates) {
   DampingPower power;
   const Index n = inertia.mass.size();

@@ -67,9 +67,10 @@ void follow_nodes(DynamicState& state) {
   state.spins.col(0).setZero();
 }
 
-void set_edge_motion(const DynamicState& state, EdgeMotion& motion) {
+void set_motion(const DynamicState& state, WireMotion& motion) {
   const RodState& rod = state.rod;
   const Index edges = rod.edge_count();
+  motion.velocity = (state.nodes.col(1) / state.step).reshaped(3, rod.node_count());
   motion.edge.resize(3, edges);
   motion.tangent.resize(3, edges);
   motion.length.resize(edges);
@@ -83,7 +84,8 @@ void set_edge_motion(const DynamicState& state, EdgeMotion& motion) {
     motion.tangent.col(j) = t;
     motion.length[j] = length;
     motion.angular_velocity.col(j) =
-        t.cross(state.velocity(next) - state.velocity(j)) / length + state.spin_rate(j) * t;
+        t.cross(motion.velocity.col(next) - motion.velocity.col(j)) / length +
+        state.spin_rate(j) * t;
   }
 }
 

@@ -6,13 +6,9 @@ namespace wirepack {
 
 namespace {
 
-double mass_per_length(const RodParams& p, double density) {
-  return density * pi * p.radius * p.radius;
-}
-
-// of a round cross-section about its axis: mass per length times a^2 / 2
-double spin_per_length(const RodParams& p, double density) {
-  return mass_per_length(p, density) * p.radius * p.radius / 2;
+// of a round cross-section about its axis
+double spin_per_length(const Inertia& inertia, const RodParams& p) {
+  return inertia.mass_per_length(p) * p.radius * p.radius / 2;
 }
 
 // The inverse, where the coordinate is not held.
@@ -30,7 +26,7 @@ Inertia lumped_inertia(const RodState& rod, const RodParams& params, double dens
   Inertia inertia{density, Eigen::VectorXd(n), Eigen::VectorXd(frames), Eigen::VectorXd(3 * n),
                   Eigen::VectorXd(frames)};
   for (Index i = 0; i < n; ++i) {
-    inertia.mass[i] = mass_per_length(params, inertia.density) * node_length(rod, params, i);
+    inertia.mass[i] = inertia.mass_per_length(params) * node_length(rod, params, i);
     for (Index c = 3 * i; c < 3 * i + 3; ++c) {
       inertia.inverse_mass[c] =
           held.coordinate[static_cast<std::size_t>(c)] ? 0.0 : 1 / inertia.mass[i];
@@ -38,7 +34,7 @@ Inertia lumped_inertia(const RodState& rod, const RodParams& params, double dens
   }
   for (Index j = 0; j < frames; ++j) {
     const double length = j < edges ? rest_length(rod, params, j) : params.edge_length / 2;
-    inertia.spin[j] = spin_per_length(params, inertia.density) * length;
+    inertia.spin[j] = spin_per_length(inertia, params) * length;
     inertia.inverse_spin[j] = held.angle[static_cast<std::size_t>(j)] ? 0.0 : 1 / inertia.spin[j];
   }
   return inertia;
@@ -48,13 +44,13 @@ void update_inlet(Inertia& inertia, const RodState& rod, const RodParams& params
   if (rod.ends.closed) return;
   const Index n = rod.node_count();
   for (Index i = n - 2; i < n; ++i) {
-    inertia.mass[i] = mass_per_length(params, inertia.density) * node_length(rod, params, i);
+    inertia.mass[i] = inertia.mass_per_length(params) * node_length(rod, params, i);
     for (Index c = 3 * i; c < 3 * i + 3; ++c) {
       inertia.inverse_mass[c] = changed_inverse(inertia.inverse_mass[c], inertia.mass[i]);
     }
   }
   const Index inlet = rod.edge_count() - 1;
-  inertia.spin[inlet] = spin_per_length(params, inertia.density) * rod.inlet_rest_length;
+  inertia.spin[inlet] = spin_per_length(inertia, params) * rod.inlet_rest_length;
   inertia.inverse_spin[inlet] = changed_inverse(inertia.inverse_spin[inlet], inertia.spin[inlet]);
 }
 

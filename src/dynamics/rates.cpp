@@ -4,7 +4,7 @@
 
 namespace wirepack {
 
-void set_rates(const DynamicState& state, const EdgeMotion& motion, const Inertia& inertia,
+void set_rates(const DynamicState& state, const WireMotion& motion, const Inertia& inertia,
                const Gradient& gradient, Rates& rates) {
   const RodState& rod = state.rod;
   const Index edges = rod.edge_count();

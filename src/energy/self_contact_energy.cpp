@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "wirepack/contact/contact_sum.hpp"
-
 namespace wirepack {
 
 SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParams& contact)
@@ -17,6 +15,11 @@ void SelfContactEnergy::prepare(const RodState& state) {
 
 double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
   return add_contact_energy(kernel_, state, list_.pairs(), gradient.node);
+}
+
+double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient,
+                                       std::vector<SelfContact>& contacts) const {
+  return add_contact_energy(kernel_, state, list_.pairs(), gradient.node, contacts);
 }
 
 void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {

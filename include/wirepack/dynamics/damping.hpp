@@ -21,7 +21,7 @@ struct DampingPower {
 /// times the force itself in long runs); this one damps what departs from that motion.
 ///
 /// Adds to the rates; held coordinates are left alone.
-DampingPower add_damping(double rate, const DynamicState& state, const EdgeMotion& motion,
+DampingPower add_damping(double rate, const DynamicState& state, const WireMotion& motion,
                          const Inertia& inertia, Rates& rates);
 
 }  // namespace wirepack

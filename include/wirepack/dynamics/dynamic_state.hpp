@@ -41,14 +41,15 @@ void set_velocities(DynamicState& state, const Points& velocity, const Eigen::Ve
 /// NumericalFailure for an edge without length.
 void follow_nodes(DynamicState& state);
 
-/// Motion of the edges as rigid bodies, derived from a state.
-struct EdgeMotion {
+/// Velocities of nodes and of the edges as rigid bodies, derived from a state.
+struct WireMotion {
+  Points velocity;          ///< 3 x N
   Points edge;              ///< 3 x E, node to node
   Points tangent;           ///< 3 x E
   Eigen::VectorXd length;   ///< E, as they are now
   Points angular_velocity;  ///< 3 x E, of the frames, world axes
 };
 /// Reuses the memory of `motion`.
-void set_edge_motion(const DynamicState& state, EdgeMotion& motion);
+void set_motion(const DynamicState& state, WireMotion& motion);
 
 }  // namespace wirepack

@@ -19,6 +19,10 @@ struct Inertia {
   Eigen::VectorXd spin;          ///< one per frame
   Eigen::VectorXd inverse_mass;  ///< 3N; 0 for a held coordinate
   Eigen::VectorXd inverse_spin;  ///< one per frame; 0 for a held angle
+
+  double mass_per_length(const RodParams& params) const {
+    return density * pi * params.radius * params.radius;
+  }
 };
 Inertia lumped_inertia(const RodState& rod, const RodParams& params, double density,
                        const HeldUnknowns& held);

@@ -23,7 +23,7 @@ struct Rates {
 /// continuous time.
 ///
 /// `motion` must be that of `state`. Reuses the memory of `rates`; held coordinates get 0.
-void set_rates(const DynamicState& state, const EdgeMotion& motion, const Inertia& inertia,
+void set_rates(const DynamicState& state, const WireMotion& motion, const Inertia& inertia,
                const Gradient& gradient, Rates& rates);
 
 }  // namespace wirepack

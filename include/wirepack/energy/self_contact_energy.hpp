@@ -3,19 +3,12 @@
 #include <string_view>
 #include <vector>
 
+#include "wirepack/contact/contact_sum.hpp"
 #include "wirepack/contact/line_contact.hpp"
 #include "wirepack/contact/neighbor_list.hpp"
 #include "wirepack/energy/energy_term.hpp"
 
 namespace wirepack {
-
-/// A touch of two edges with the force it carries.
-struct SelfContact {
-  EdgePair edges;
-  LineContact line;
-  double overlap;  ///< 2 a - distance [length]
-  double force;    ///< on each strand, along the separation [force]
-};
 
 /// How strands repel.
 struct ContactParams {
@@ -33,7 +26,11 @@ class SelfContactEnergy {
   SelfContactEnergy(const RodParams& params, const ContactParams& contact);
   void prepare(const RodState& state);
   double add_gradient(const RodState& state, Gradient& gradient) const;
+  /// The same, and replaces `contacts` by what touches, in no particular but always the same order.
+  double add_gradient(const RodState& state, Gradient& gradient,
+                      std::vector<SelfContact>& contacts) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
+  /// What touches, sorted by pairs.
   std::vector<SelfContact> contacts(const RodState& state) const;
 
  private:

@@ -70,5 +70,32 @@ TEST(ContactSum, CandidatesThatDoNotTouchChangeNoBit) {
   EXPECT_TRUE((wide.by_node.array() == narrow.by_node.array()).all());
 }
 
+TEST(ContactSum, ListedTouchesAreThoseOfTheKernelAndChangeNoBit) {
+  const RodParams params;
+  const RodState rod = tight_coil(params);
+  const LineKernel kernel = LineKernel::per_length(5, 1, 1);
+  const NeighborList list(rod, {2, 1, pi}, 1);
+  const Sum plain = sum_of(kernel, rod, list.pairs());
+  Sum listed{0, Points::Zero(3, rod.node_count())};
+  std::vector<SelfContact> touching;
+  listed.energy = add_contact_energy(kernel, rod, list.pairs(), listed.by_node, touching);
+  EXPECT_EQ(listed.energy, plain.energy);
+  EXPECT_TRUE((listed.by_node.array() == plain.by_node.array()).all());
+  std::size_t expected = 0;
+  for (const auto& [i, j] : list.pairs()) {
+    const auto touch = kernel.touch(line_of(rod, i), line_of(rod, j));
+    if (!touch) continue;
+    ++expected;
+    const auto same = std::find_if(touching.begin(), touching.end(), [&](const SelfContact& c) {
+      return c.edges.first == i && c.edges.second == j;
+    });
+    ASSERT_NE(same, touching.end());
+    EXPECT_NEAR(same->line.s, touch->s, 1e-12);
+    EXPECT_NEAR(same->line.t, touch->t, 1e-12);
+    EXPECT_NEAR(same->force, touch->stiffness * (2 - touch->distance), 1e-12);
+  }
+  EXPECT_EQ(touching.size(), expected);
+}
+
 }  // namespace
 }  // namespace wirepack

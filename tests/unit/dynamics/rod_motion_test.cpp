@@ -34,7 +34,7 @@ struct Wire {
     for (Index i = 0; i < inertia.mass.size(); ++i) {
       gradient.node.col(i) -= inertia.mass[i] * gravity;
     }
-    set_edge_motion(at, motion);
+    set_motion(at, motion);
     set_rates(at, motion, inertia, gradient, out);
     if (drag > 0) add_damping(drag, at, motion, inertia, out);
   }
@@ -77,7 +77,7 @@ struct Wire {
   Vec3 gravity = Vec3::Zero();
   DynamicState state;
   Inertia inertia;
-  EdgeMotion motion;
+  WireMotion motion;
   Gradient gradient;
   Rates rates;
 };
@@ -141,7 +141,7 @@ TEST(RodMotion, FramesStayUnitAndOnTheirEdgesForAMillionSteps) {
   for (const Quat& frame : wire.state.rod.frames) {
     norm = std::max(norm, std::abs(frame.norm() - 1));
   }
-  set_edge_motion(wire.state, wire.motion);
+  set_motion(wire.state, wire.motion);
   double off = 0;
   for (Index j = 0; j < wire.state.rod.edge_count(); ++j) {
     off = std::max(off, (third_axis(wire.state.rod.frames[static_cast<std::size_t>(j)]) -

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "wirepack/dynamics/damping.hpp"
+#include "wirepack/dynamics/friction.hpp"
+#include "wirepack/dynamics/inertia.hpp"
+#include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/load_energy.hpp"
+#include "wirepack/energy/self_contact_energy.hpp"
+#include "wirepack/energy/stretch_energy.hpp"
+#include "wirepack/energy/wall_energy.hpp"
+
+namespace wirepack {
+
+/// What moves a wire. Terms that are not set are not there.
+struct WireForces {
+  RodParams wire;
+  Stiffness stiffness = wirepack::stiffness(wire);  ///< of the joints; see JointEnergy
+  std::optional<SphericalCavity> cavity;
+  double wall_stiffness = 5;  ///< [force / length^2]
+  std::optional<ContactParams> contact;
+  std::optional<StickSlipLaw> friction;  ///< of all contacts, but not in the nozzle
+  double damping = 0;                    ///< rate of the viscous forces [1 / time]
+  Loads loads;
+  Vec3 nozzle_direction = Vec3::UnitZ();  ///< where wire is fed, it enters against it
+};
+
+/// Memory of the contacts, between strands and with the wall; sorted.
+struct FrictionMemory {
+  std::vector<StickAnchor> strands, wall;
+};
+
+/// Energies and powers at one moment.
+struct EnergyFlow {
+  double potential = 0;  ///< elastic, contact, wall, loads
+  double kinetic = 0;
+  double stick = 0;            ///< of friction's springs
+  double feed = 0;             ///< power of the insertion
+  double injection_force = 0;  ///< power of the insertion over its speed
+  double friction = 0;         ///< power that friction takes from the wire
+  double viscous = 0;          ///< power that the viscous forces take from the wire, >= 0
+  double medium = 0;           ///< power of the medium of the viscous forces that flows along
+
+  double stored() const { return potential + kinetic + stick; }
+};
+
+/// Accelerations of a wire from the same energy terms and the same contacts as minimizations, with
+/// inertia, friction and damping. The injection force is the explicit dE/dL, plus what the friction
+/// of the inlet edge holds at its clamped end, plus half the square of the velocity of the first
+/// free node times the mass per length it gains. With it
+///     feed + medium = d(potential + kinetic)/dt + friction + viscous.
+class EquationOfMotion {
+ public:
+  EquationOfMotion(WireForces forces, double density, HeldUnknowns held, const RodState& rod);
+
+  /// Fills the accelerations at a state, and moves friction's memory on by its step.
+  void set_rates(const DynamicState& state, FrictionMemory& memory, Rates& rates);
+  /// Of the last call of set_rates.
+  const EnergyFlow& flow() const { return flow_; }
+  const Inertia& inertia() const { return inertia_; }
+  /// Edges may have been added at the nozzle.
+  void resize(const RodState& rod, HeldUnknowns held);
+
+ private:
+  void add_friction_of(const DynamicState& state, FrictionMemory& memory);
+
+  WireForces forces_;
+  StretchEnergy stretch_;
+  JointEnergy joints_;
+  std::optional<WallEnergy> wall_;
+  std::optional<SelfContactEnergy> contact_;
+  LoadEnergy loads_;
+  Inertia inertia_;
+  EnergyFlow flow_;
+  // memory that is used again at every step
+  Gradient gradient_;
+  WireMotion motion_;
+  std::vector<SelfContact> contacts_;
+  std::vector<Touch> touches_;
+};
+
+}  // namespace wirepack
