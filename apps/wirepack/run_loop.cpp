@@ -69,7 +69,6 @@ class ProgressLine {
 }  // namespace
 
 void RunTotals::add(const HistoryRow& row) {
-  evaluations += row.evaluations;
   largest_residual = std::max(largest_residual, row.residual);
   largest_overlap = std::max(largest_overlap, row.max_overlap);
   seconds = row.wall_seconds;
@@ -171,11 +170,28 @@ std::string summary(const RunResult& result, const PackingProgress& progress,
   line("  residue", fmt::format("{:.3g} % of the work", percent));
   line("snaps", fmt::format("{}", progress.snaps));
   line("rollbacks", fmt::format("{}", progress.rollbacks));
-  line("evaluations", fmt::format("{:.0f}", totals.evaluations));
+  const SolverWork& work = progress.work;
+  line("evaluations", fmt::format("{}", work.evaluations));
+  line("factorizations", fmt::format("{}", work.factorizations));
+  line("  rounds taken back", fmt::format("{}", work.rounds_taken_back));
+  line("neighbor lists made", fmt::format("{}", work.list_builds));
   line("largest residual", fmt::format("{:.3g} YI/R^2 (tolerance {:.3g})", totals.largest_residual,
                                        scenario.minimizer.tolerance));
   line("largest overlap", fmt::format("{:.3g} a", totals.largest_overlap / scenario.wire.radius));
   line("time", fmt::format("{:.1f} s", totals.seconds));
+  double rest = totals.seconds;
+  const auto share = [&](std::string_view name, double seconds) {
+    line(name, fmt::format("{:.2f} s, {:.0f} %", seconds, 100 * seconds / totals.seconds));
+    rest -= seconds;
+  };
+  share("  energies", work.energy_seconds);
+  share("  neighbor lists", work.list_seconds);
+  share("  chart", work.chart_seconds);
+  share("  triangular solves", work.solve_seconds);
+  share("  factorizations", work.factorization_seconds);
+  share("  L-BFGS", work.descent_seconds);
+  share("  passages of strands", work.passage_seconds);
+  share("  all else", rest);
   return text;
 }
 

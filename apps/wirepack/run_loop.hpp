@@ -10,7 +10,6 @@ namespace wirepack {
 
 /// What a run amounts to so far; can be gathered from a saved history.
 struct RunTotals {
-  double evaluations = 0;
   double largest_residual = 0;
   double largest_overlap = 0;
   double seconds = 0;

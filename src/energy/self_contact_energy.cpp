@@ -9,8 +9,10 @@ SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParam
       kernel_(LineKernel::per_length(contact.stiffness, params.radius, params.edge_length)),
       skin_(params.radius) {}
 
-void SelfContactEnergy::prepare(const RodState& state) {
-  if (!list_.covers(state)) list_ = NeighborList(state, range_, skin_);
+bool SelfContactEnergy::prepare(const RodState& state) {
+  if (list_.covers(state)) return false;
+  list_ = NeighborList(state, range_, skin_);
+  return true;
 }
 
 double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient) const {

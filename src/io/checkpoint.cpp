@@ -115,6 +115,14 @@ void write_progress(hid_t file, const PackingProgress& progress) {
   write_attribute(balance, "residue",
                   b.work - progress.last.energy_total - b.released - b.remeshing);
 
+  const Hdf5Handle work = open_or_create_group(file, "work");
+  for (const auto& entry : work_counts) {
+    write_attribute(work, std::string(entry.name), progress.work.*entry.value);
+  }
+  for (const auto& entry : work_seconds) {
+    write_attribute(work, std::string(entry.name), progress.work.*entry.value);
+  }
+
   const Hdf5Handle crossings = open_or_create_group(file, "crossings");
   write_attribute(crossings, "columns", std::string("level packing_density"));
   replace_table(crossings, "scaled_force", table_of(progress.scaled_crossings));
@@ -145,6 +153,15 @@ PackingProgress read_progress(hid_t file) {
     progress.last.*column.value = read_attribute<double>(last, std::string(column.name));
   }
   for_each_balance_scalar(progress, read_from(open_group(file, "balance")));
+  if (has_link(file, "work")) {  // files of 0.1.0 have none
+    const Hdf5Handle work = open_group(file, "work");
+    for (const auto& entry : work_counts) {
+      progress.work.*entry.value = read_attribute<std::int64_t>(work, std::string(entry.name));
+    }
+    for (const auto& entry : work_seconds) {
+      progress.work.*entry.value = read_attribute<double>(work, std::string(entry.name));
+    }
+  }
   const Hdf5Handle crossings = open_group(file, "crossings");
   progress.scaled_crossings = crossings_of(read_table<double>(crossings, "scaled_force", 2));
   progress.absolute_crossings = crossings_of(read_table<double>(crossings, "force", 2));

@@ -194,6 +194,7 @@ QuasistaticPacking::QuasistaticPacking(const Scenario& scenario)
   progress_.last.energy_total = start.energy;
   progress_.last.force = start.inlet_length_force;
   progress_.balance.work = start.energy;
+  progress_.work = start.work;
 }
 
 QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, PackingProgress progress)
@@ -234,10 +235,12 @@ std::optional<StopReason> QuasistaticPacking::advance() {
   while (true) {
     PackingProgress next = progress_;
     const StepResult result = step(next);
-    evaluations += result.evaluations;
+    evaluations += result.work.evaluations;
+    progress_.work += result.work;
     const bool unresolved = result.unresolved && progress_.substep > resolving_substep;
     if (!result.failure && !unresolved) {
       next.last.evaluations = static_cast<double>(evaluations);
+      next.work = progress_.work;
       next.substep = std::min(1.0, 2 * next.substep);
       progress_ = std::move(next);
       return reached_limit(scenario_, progress_.last);
@@ -258,8 +261,8 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   if (!slides && split_is_due(rod, scenario_.wire)) {
     split_inlet(rod, model_->nozzle, scenario_.wire);
     const EquilibriumReport split = relax(scenario_, *model_, rod);
-    result.evaluations += split.evaluations;
-    next.rollbacks += split.rounds_taken_back;
+    result.work += split.work;
+    next.rollbacks += split.work.rounds_taken_back;
     result.failure = failure_of(split);
     if (result.failure) return result;
     next.balance.remeshing += energy_before - split.energy;
@@ -273,8 +276,8 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
     insert(rod, fed);
   }
   const EquilibriumReport rest = relax(scenario_, *model_, rod);
-  result.evaluations += rest.evaluations;
-  next.rollbacks += rest.rounds_taken_back;
+  result.work += rest.work;
+  next.rollbacks += rest.work.rounds_taken_back;
   result.failure = failure_of(rest);
   if (result.failure) return result;
   HistoryRow row = observe(scenario_, *model_, rod);

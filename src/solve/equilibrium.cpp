@@ -1,6 +1,7 @@
 #include "wirepack/solve/equilibrium.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "wirepack/core/error.hpp"
@@ -26,6 +27,20 @@ struct Best {
     if (energy == HUGE_VAL || new_energy < energy - noise) return true;
     return new_energy <= energy + noise && new_residual < residual;
   }
+};
+
+// Adds the time since its last lap to where it went.
+class Stopwatch {
+ public:
+  void lap(double& seconds) {
+    const Clock::time_point now = Clock::now();
+    seconds += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
 };
 
 // Tolerance of each unknown, so that a residual is one number.
@@ -60,14 +75,18 @@ double guard_energy(const FrameChart& chart, const Points& moves, double distanc
 }
 
 // One round: one chart, one factor.
-DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& energy,
-                           const EquilibriumOptions& options, double guard_distance,
-                           int max_evaluations) {
+void descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& energy,
+                  const EquilibriumOptions& options, double guard_distance, int max_evaluations,
+                  SolverWork& work) {
+  Stopwatch watch;
   const FrameChart chart(best.state, held);
   CurvatureModel model(chart);
-  energy.prepare(chart.reference());
+  work.list_builds += energy.prepare(chart.reference());
+  watch.lap(work.list_seconds);
   energy.add_curvature(chart.reference(), model);
   Preconditioner preconditioner(model.lower_triangle(options.shift), options.shift);
+  watch.lap(work.factorization_seconds);
+  ++work.factorizations;
 
   TurningChart turning(chart, options.turning_taper);
   const Eigen::VectorXd inverse_tolerance = inverse_tolerances(chart, options);
@@ -80,14 +99,19 @@ DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFun
   // energy, its square), so that a round can gain eleven decades.
   double unit = 0;
   const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& by_y) {
+    watch.lap(work.descent_seconds);
     preconditioner.to_step(y, step);
     step *= unit;
+    watch.lap(work.solve_seconds);
     turning.set_state(step, state);
+    watch.lap(work.chart_seconds);
+    work.list_builds += energy.prepare(state);
+    watch.lap(work.list_seconds);
     set_zero(gradient, state);
-    energy.prepare(state);
     const double guarded =
         guard_energy(chart, turning.moves(), guard_distance, options.guard.stiffness, by_move);
     const double value = energy.add_gradient(state, gradient) + guarded;
+    watch.lap(work.energy_seconds);
     turning.pull_back(state, gradient.node, gradient.frame, by_move, by_x, by_step);
     const double residual = by_x.cwiseProduct(inverse_tolerance).cwiseAbs().maxCoeff();
     if (best.improved_by(value, residual)) {
@@ -98,15 +122,18 @@ DescentReport descend_once(Best& best, const HeldUnknowns& held, const EnergyFun
       best.inlet_length_force = gradient.inlet_length;
     }
     const bool at_rest = residual <= 1 && best.energy == value;
+    watch.lap(work.chart_seconds);
     preconditioner.to_gradient(by_step, by_y);
+    watch.lap(work.solve_seconds);
     if (unit == 0) unit = std::max(by_y.cwiseAbs().maxCoeff() / 1e3, 1e-150);
     by_y /= unit;
     return Evaluation{value / (unit * unit), at_rest};
   };
   const DescentReport report = descend(objective, Eigen::VectorXd::Zero(chart.size()),
                                        {max_evaluations, options.method.memory});
+  watch.lap(work.descent_seconds);
+  work.evaluations += report.evaluations;
   if (!held.frames_follow) carry_frames(best.state);
-  return report;
 }
 
 }  // namespace
@@ -117,24 +144,30 @@ EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
   Best best;
   best.state = state;
   EquilibriumReport report;
+  SolverWork& work = report.work;
+  const auto admissible = [&](const RodState& before) {
+    if (!options.guard.admissible) return true;
+    Stopwatch watch;
+    const bool answer = options.guard.admissible(before, best.state);
+    watch.lap(work.passage_seconds);
+    return answer;
+  };
   int fruitless_rounds = 0;
   double guard_distance = options.guard.distance;
   while (true) {
     best.energy -= best.guarded;
     best.guarded = 0;
     const Best before = best;
-    const int left = options.method.max_evaluations - report.evaluations;
-    const DescentReport round = descend_once(best, held, energy, options, guard_distance,
-                                             std::min(options.method.refactor_every, left));
-    report.evaluations += round.evaluations;
-    ++report.factorizations;
+    const auto left = static_cast<int>(options.method.max_evaluations - work.evaluations);
+    descend_once(best, held, energy, options, guard_distance,
+                 std::min(options.method.refactor_every, left), work);
     if (best.energy == HUGE_VAL) throw NumericalFailure("the start has no finite energy");
-    if (options.guard.admissible && !options.guard.admissible(before.state, best.state)) {
+    if (!admissible(before.state)) {
       best = before;
-      ++report.rounds_taken_back;
+      ++work.rounds_taken_back;
       guard_distance /= 2;
       const bool too_short = guard_distance < options.guard.distance / 16;
-      const bool spent = report.evaluations >= options.method.max_evaluations;
+      const bool spent = work.evaluations >= options.method.max_evaluations;
       if (!too_short && !spent) continue;
       report.end = too_short ? EquilibriumEnd::inadmissible : EquilibriumEnd::evaluation_limit;
       break;
@@ -144,7 +177,7 @@ EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
       report.end = EquilibriumEnd::converged;
       break;
     }
-    if (report.evaluations >= options.method.max_evaluations) {
+    if (work.evaluations >= options.method.max_evaluations) {
       report.end = EquilibriumEnd::evaluation_limit;
       break;
     }

@@ -83,8 +83,8 @@ void buckled_rod(benchmark::State& bench, Start start) {
     report = solve_equilibrium(rod, held, functions_of(energy), options);
   }
   if (report.end != EquilibriumEnd::converged) bench.SkipWithError("has not converged");
-  bench.counters["evaluations"] = report.evaluations;
-  bench.counters["factorizations"] = report.factorizations;
+  bench.counters["evaluations"] = static_cast<double>(report.work.evaluations);
+  bench.counters["factorizations"] = static_cast<double>(report.work.factorizations);
   bench.counters["energy"] = report.energy;
   bench.counters["middle_height"] = rod.nodes(0, edges / 2);
   bench.counters["residual"] = report.residual * tolerance;

@@ -27,6 +27,28 @@ class Resume(ProgramTest):
         self.assertEqual(differing(one, other), [])
         check_readable(self, one)
 
+    def test_what_a_run_has_cost_is_in_the_file_and_in_the_table(self):
+        start = time.monotonic()
+        code, out, err = self.run_program(
+            "run", "run.toml", "-o", "whole.h5", "--set", "stop.increments=30"
+        )
+        duration = time.monotonic() - start
+        self.assertEqual(code, 0, err)
+        with h5py.File(self.folder / "whole.h5") as file:
+            work = dict(file["work"].attrs)
+            of_increments = int(file["history/evaluations"][()].sum())
+        # the first two edges are brought to rest before the first increment
+        self.assertGreater(work["evaluations"], of_increments)
+        self.assertLess(work["evaluations"], of_increments + 50)
+        self.assertGreater(work["factorizations"], 30)
+        self.assertGreater(work["list_builds"], 0)
+        seconds = [value for key, value in work.items() if key.endswith("_seconds")]
+        self.assertEqual(len(seconds), 7)
+        self.assertGreater(min(seconds), 0)
+        self.assertLess(sum(seconds), duration)
+        self.assertRegex(out, f"# evaluations +{work['evaluations']}\n")
+        self.assertRegex(out, "#   triangular solves +[0-9.]+ s, [0-9]+ %\n")
+
     def test_a_run_killed_many_times_ends_in_the_same_bits(self):
         start = time.monotonic()
         whole = self.run_whole()

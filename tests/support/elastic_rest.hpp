@@ -92,7 +92,7 @@ inline EquilibriumReport solver_rest(RodState& state, const HeldUnknowns& held,
   const EquilibriumReport report =
       solve_equilibrium(state, held, functions_of(total),
                         {tolerance.force, tolerance.moment, 1e-6 * stiffness(params).bend, {}});
-  EXPECT_LE(report.residual, 1) << "after " << report.evaluations << " evaluations, stalled: "
+  EXPECT_LE(report.residual, 1) << "after " << report.work.evaluations << " evaluations, stalled: "
                                 << (report.end == EquilibriumEnd::stalled);
   return report;
 }

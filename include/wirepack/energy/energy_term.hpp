@@ -22,10 +22,11 @@ concept EnergyTerm = requires(const T& term, const RodState& state, Gradient& gr
 };
 
 /// A term that keeps something it finds out about states (a neighbor list) brings it up to date
-/// here, before it is evaluated. This may change the cost of an evaluation, never its value.
+/// here, before it is evaluated, and says whether there was something to do. This may change the cost
+/// of an evaluation, never its value.
 template <class T>
 concept PreparedTerm = requires(T& term, const RodState& state) {
-  term.prepare(state);
+  { term.prepare(state) } -> std::same_as<bool>;
 };
 
 }  // namespace wirepack

@@ -24,7 +24,8 @@ class SelfContactEnergy {
  public:
   static constexpr std::string_view name = "contact";
   SelfContactEnergy(const RodParams& params, const ContactParams& contact);
-  void prepare(const RodState& state);
+  /// Makes a new neighbor list where the old one does not cover the state; returns whether.
+  bool prepare(const RodState& state);
   double add_gradient(const RodState& state, Gradient& gradient) const;
   /// The same, and replaces `contacts` by what touches, in no particular but always the same order.
   double add_gradient(const RodState& state, Gradient& gradient,

@@ -14,8 +14,9 @@ class TotalEnergy {
   static constexpr std::string_view name = "total";
   explicit TotalEnergy(Terms&... terms) : terms_(terms...) {}
 
-  void prepare(const RodState& state) {
-    std::apply([&](auto&... term) { (prepare_one(term, state), ...); }, terms_);
+  bool prepare(const RodState& state) {
+    return std::apply([&](auto&... term) { return (false | ... | prepare_one(term, state)); },
+                      terms_);
   }
   double add_gradient(const RodState& state, Gradient& gradient) const {
     return std::apply(
@@ -28,15 +29,16 @@ class TotalEnergy {
 
  private:
   template <class Term>
-  static void prepare_one(Term& term, const RodState& state) {
-    if constexpr (PreparedTerm<Term>) term.prepare(state);
+  static bool prepare_one(Term& term, const RodState& state) {
+    if constexpr (PreparedTerm<Term>) return term.prepare(state);
+    return false;
   }
   std::tuple<Terms&...> terms_;
 };
 
 /// A total energy behind three calls, for code that is compiled once. Refers to the energy.
 struct EnergyFunctions {
-  std::function<void(const RodState&)> prepare;
+  std::function<bool(const RodState&)> prepare;
   std::function<double(const RodState&, Gradient&)> add_gradient;
   std::function<void(const RodState&, CurvatureModel&)> add_curvature;
 };
@@ -45,7 +47,8 @@ template <EnergyTerm Energy>
 EnergyFunctions functions_of(Energy& energy) {
   EnergyFunctions f;
   f.prepare = [&energy](const RodState& state) {
-    if constexpr (PreparedTerm<Energy>) energy.prepare(state);
+    if constexpr (PreparedTerm<Energy>) return energy.prepare(state);
+    return false;
   };
   f.add_gradient = [&energy](const RodState& state, Gradient& gradient) {
     return energy.add_gradient(state, gradient);

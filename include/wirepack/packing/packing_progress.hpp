@@ -5,6 +5,7 @@
 
 #include "wirepack/packing/history.hpp"
 #include "wirepack/rod/rod_state.hpp"
+#include "wirepack/solve/solver_work.hpp"
 
 namespace wirepack {
 
@@ -34,6 +35,7 @@ struct PackingProgress {
   std::vector<ForceCrossing> absolute_crossings;  ///< of F / (Y a^2)
   std::int64_t snaps = 0;
   std::int64_t rollbacks = 0;  ///< increments repeated in halves: no convergence, or a passage
+  SolverWork work;             ///< of all increments, those that were repeated included
 };
 
 }  // namespace wirepack

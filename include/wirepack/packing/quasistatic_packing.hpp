@@ -39,7 +39,7 @@ class QuasistaticPacking {
   struct StepResult {
     std::optional<StopReason> failure;
     bool unresolved = false;  ///< force and energy disagree over the step: a jump or a kink
-    std::int64_t evaluations = 0;
+    SolverWork work;
   };
   /// Takes `next`, a copy of the progress, one step further; on failure the copy is useless.
   StepResult step(PackingProgress& next);

@@ -5,6 +5,7 @@
 #include "wirepack/energy/total_energy.hpp"
 #include "wirepack/rod/frame_chart.hpp"
 #include "wirepack/rod/rod_state.hpp"
+#include "wirepack/solve/solver_work.hpp"
 
 namespace wirepack {
 
@@ -44,9 +45,7 @@ struct EquilibriumReport {
   double energy = 0;
   double residual = 0;            ///< largest gradient component over its tolerance; <= 1 at rest
   double inlet_length_force = 0;  ///< explicit dE/d(inlet_rest_length): the injection force
-  int evaluations = 0;
-  int factorizations = 0;
-  int rounds_taken_back = 0;
+  SolverWork work;
 };
 
 /// Moves `state` to a local minimum of the energy: L-BFGS in variables preconditioned by a factor

@@ -64,6 +64,8 @@ PackingProgress progress_of(int increment, Index nodes) {
   p.scaled_crossings = {{1, 0.1}, {std::sqrt(10.0), 0.2}};
   p.snaps = 4;
   p.rollbacks = 5;
+  p.work = {.evaluations = 12, .factorizations = 3, .rounds_taken_back = 1, .list_builds = 2};
+  p.work.solve_seconds = 1.0 / 3;
   return p;
 }
 
@@ -122,6 +124,12 @@ TEST_F(Hdf5File, progress_comes_back_bit_for_bit_also_when_it_was_replaced) {
     EXPECT_EQ(back.absolute_crossings.size(), p.absolute_crossings.size());
     EXPECT_EQ(back.snaps, p.snaps);
     EXPECT_EQ(back.rollbacks, p.rollbacks);
+    for (const auto& entry : work_counts) {
+      EXPECT_EQ(back.work.*entry.value, p.work.*entry.value) << entry.name;
+    }
+    for (const auto& entry : work_seconds) {
+      EXPECT_EQ(back.work.*entry.value, p.work.*entry.value) << entry.name;
+    }
   }
 }
 

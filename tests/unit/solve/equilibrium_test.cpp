@@ -49,7 +49,7 @@ TEST(Equilibrium, GuardSlowsTheWayDownButRestIsTheSame) {
   const EquilibriumReport one = free.rest();
   const EquilibriumReport other = guarded.rest();
   EXPECT_EQ(other.end, EquilibriumEnd::converged);
-  EXPECT_GT(other.factorizations, 10);  // the tip moves 10 in parts of about 0.5
+  EXPECT_GT(other.work.factorizations, 10);  // the tip moves 10 in parts of about 0.5
   EXPECT_NEAR(other.energy / one.energy, 1, 1e-8);
   EXPECT_LT((free.rod.nodes - guarded.rod.nodes).cwiseAbs().maxCoeff(), 1e-3);
 }
@@ -60,7 +60,7 @@ TEST(Equilibrium, RoundsThatAreNotAdmissibleAreTakenBackAndReported) {
   c.options.guard = {0.5, 50, [](const RodState&, const RodState&) { return false; }};
   const EquilibriumReport report = c.rest();
   EXPECT_EQ(report.end, EquilibriumEnd::inadmissible);
-  EXPECT_EQ(report.rounds_taken_back, 5);  // at 1, 1/2, ... 1/16 of the distance
+  EXPECT_EQ(report.work.rounds_taken_back, 5);  // at 1, 1/2, ... 1/16 of the distance
   EXPECT_EQ(c.rod.nodes, start);
 }
 
@@ -72,7 +72,7 @@ TEST(Equilibrium, RoundsTakenBackCountAgainstTheLimitOfEvaluations) {
   const EquilibriumReport report = c.rest();
   EXPECT_EQ(report.end, EquilibriumEnd::evaluation_limit);
   // NLopt may take one evaluation more in each of the two rounds; without the limit, hundreds
-  EXPECT_LE(report.evaluations, 62);
+  EXPECT_LE(report.work.evaluations, 62);
 }
 
 TEST(Equilibrium, OneBadRoundIsRepeatedWithShorterMoves) {
@@ -81,7 +81,7 @@ TEST(Equilibrium, OneBadRoundIsRepeatedWithShorterMoves) {
   c.options.guard = {0.5, 50, [&](const RodState&, const RodState&) { return ++calls != 3; }};
   const EquilibriumReport report = c.rest();
   EXPECT_EQ(report.end, EquilibriumEnd::converged);
-  EXPECT_EQ(report.rounds_taken_back, 1);
+  EXPECT_EQ(report.work.rounds_taken_back, 1);
 }
 
 TEST(Equilibrium, TooFewEvaluationsAreReportedWithTheBestPoint) {
@@ -89,7 +89,7 @@ TEST(Equilibrium, TooFewEvaluationsAreReportedWithTheBestPoint) {
   c.options.method.max_evaluations = 5;
   const EquilibriumReport report = c.rest();
   EXPECT_EQ(report.end, EquilibriumEnd::evaluation_limit);
-  EXPECT_EQ(report.evaluations, 5);
+  EXPECT_EQ(report.work.evaluations, 5);
   EXPECT_GT(report.residual, 1);
   EXPECT_LT(report.energy, 0);  // better than the straight start
 }

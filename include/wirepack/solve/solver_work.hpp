@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace wirepack {
+
+/// What searches for rest have cost. Seconds are for reports alone: nothing is decided by them.
+struct SolverWork {
+  std::int64_t evaluations = 0;
+  std::int64_t factorizations = 0;
+  std::int64_t rounds_taken_back = 0;
+  std::int64_t list_builds = 0;
+
+  double energy_seconds = 0;         ///< energies and their gradients
+  double list_seconds = 0;           ///< neighbor lists: the test whether they serve, and new ones
+  double chart_seconds = 0;          ///< unknowns to state, and derivatives back
+  double solve_seconds = 0;          ///< triangular solves of the preconditioner
+  double factorization_seconds = 0;  ///< curvature model: assembly, ordering, factor
+  double descent_seconds = 0;        ///< L-BFGS: its vectors and its line search
+  double passage_seconds = 0;        ///< whether strands have passed through each other
+
+  SolverWork& operator+=(const SolverWork& other);
+};
+
+template <class T>
+struct WorkEntry {
+  std::string_view name;
+  T SolverWork::*value;
+};
+
+inline constexpr std::array<WorkEntry<std::int64_t>, 4> work_counts{{
+    {"evaluations", &SolverWork::evaluations},
+    {"factorizations", &SolverWork::factorizations},
+    {"rounds_taken_back", &SolverWork::rounds_taken_back},
+    {"list_builds", &SolverWork::list_builds},
+}};
+
+inline constexpr std::array<WorkEntry<double>, 7> work_seconds{{
+    {"energy_seconds", &SolverWork::energy_seconds},
+    {"list_seconds", &SolverWork::list_seconds},
+    {"chart_seconds", &SolverWork::chart_seconds},
+    {"solve_seconds", &SolverWork::solve_seconds},
+    {"factorization_seconds", &SolverWork::factorization_seconds},
+    {"descent_seconds", &SolverWork::descent_seconds},
+    {"passage_seconds", &SolverWork::passage_seconds},
+}};
+
+inline SolverWork& SolverWork::operator+=(const SolverWork& other) {
+  for (const auto& entry : work_counts) this->*entry.value += other.*entry.value;
+  for (const auto& entry : work_seconds) this->*entry.value += other.*entry.value;
+  return *this;
+}
+
+}  // namespace wirepack
