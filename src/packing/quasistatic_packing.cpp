@@ -12,6 +12,7 @@
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/feed/feeder.hpp"
 #include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/observation.hpp"
 
 namespace wirepack {
 
@@ -141,45 +142,6 @@ void perturb(const Scenario& scenario, RodState& rod, std::uint64_t& random_stat
   random_state = random.state();
 }
 
-void note_crossings(std::vector<ForceCrossing>& crossings, double force, double density) {
-  // levels 10^(k/2) from 10^-3 on; a force passes each of them once
-  for (int k = static_cast<int>(crossings.size()) - 6;; ++k) {
-    const double level = std::pow(10.0, k / 2.0);
-    if (!(force >= level)) return;
-    crossings.push_back({level, density});
-  }
-}
-
-HistoryRow observe(const Scenario& scenario, QuasistaticPacking::Model& model,
-                   const RodState& rod) {
-  HistoryRow row;
-  Gradient unused;
-  set_zero(unused, rod);
-  const JointEnergies joints = joint_energies(scenario.wire, rod);
-  row.energy_stretch = model.stretch.add_gradient(rod, unused);
-  row.energy_bend = joints.bend;
-  row.energy_twist = joints.twist;
-  row.energy_wall = model.wall.add_gradient(rod, unused);
-  for (Index i = 0; i < rod.node_count(); ++i) {
-    row.max_overlap = std::max(row.max_overlap,
-                               -wall_gap(scenario.cavity, rod.nodes.col(i), scenario.wire.radius));
-  }
-  if (scenario.contact_enabled) {
-    model.contact.prepare(rod);
-    row.energy_contact = model.contact.add_gradient(rod, unused);
-    const std::vector<SelfContact> contacts = model.contact.contacts(rod);
-    row.contacts = static_cast<double>(contacts.size());
-    for (const SelfContact& touch : contacts) {
-      // beyond their own edge the lines are extrapolations of curved strands
-      const bool inside = std::abs(touch.line.s) <= 0.5 && std::abs(touch.line.t) <= 0.5;
-      if (inside) row.max_overlap = std::max(row.max_overlap, touch.overlap);
-    }
-  }
-  row.inserted_length = total_rest_length(rod, scenario.wire);
-  row.packing_density = packing_density(row.inserted_length, scenario.cavity, scenario.wire.radius);
-  return row;
-}
-
 }  // namespace
 
 QuasistaticPacking::QuasistaticPacking(const Scenario& scenario)
@@ -190,7 +152,7 @@ QuasistaticPacking::QuasistaticPacking(const Scenario& scenario)
   if (start.end != EquilibriumEnd::converged) {
     throw NumericalFailure("the first two edges in the nozzle do not come to rest");
   }
-  progress_.last = observe(scenario_, *model_, progress_.rod);
+  progress_.last = observe(scenario_, model_->contact, progress_.rod);
   progress_.last.energy_total = start.energy;
   progress_.last.force = start.inlet_length_force;
   progress_.balance.work = start.energy;
@@ -280,7 +242,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   next.rollbacks += rest.work.rounds_taken_back;
   result.failure = failure_of(rest);
   if (result.failure) return result;
-  HistoryRow row = observe(scenario_, *model_, rod);
+  HistoryRow row = observe(scenario_, model_->contact, rod);
   row.increment = next.last.increment + 1;
   row.energy_total = rest.energy;
   row.force = rest.inlet_length_force;
@@ -302,35 +264,16 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
     ++next.snaps;
   }
   next.last = row;
-  const double a = scenario_.wire.radius;
-  note_crossings(next.scaled_crossings, row.scaled_force, row.packing_density);
-  note_crossings(next.absolute_crossings, row.force / (scenario_.wire.youngs_modulus * a * a),
-                 row.packing_density);
+  note_crossings(scenario_, row, next);
   return result;
 }
 
 bool QuasistaticPacking::frame_is_due() const {
-  return progress_.last.packing_density >=
-         progress_.last_frame_density + scenario_.output.frame_every_density;
+  return wirepack::frame_is_due(scenario_, progress_);
 }
 
 PackingFrame QuasistaticPacking::take_frame() {
-  progress_.last_frame_density = progress_.last.packing_density;
-  PackingFrame frame;
-  frame.rod = progress_.rod;
-  frame.increment = progress_.last.increment;
-  frame.inserted_length = progress_.last.inserted_length;
-  frame.packing_density = progress_.last.packing_density;
-  frame.force = progress_.last.force;
-  const NodeEnergies energies = node_energies(scenario_.wire, progress_.rod);
-  frame.bend_energy = energies.bend;
-  frame.twist_energy = energies.twist;
-  frame.wall_force = model_->wall.forces(progress_.rod);
-  if (scenario_.contact_enabled) {
-    model_->contact.prepare(progress_.rod);
-    frame.contacts = model_->contact.contacts(progress_.rod);
-  }
-  return frame;
+  return wirepack::take_frame(scenario_, model_->contact, progress_);
 }
 
 }  // namespace wirepack
