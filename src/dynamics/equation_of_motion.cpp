@@ -39,7 +39,7 @@ void EquationOfMotion::set_rates(const DynamicState& state, FrictionMemory& memo
   if (forces_.damping > 0) {
     const DampingPower power = add_damping(forces_.damping, state, motion_, inertia_, rates);
     flow_.viscous = power.dissipated;
-    flow_.medium = -power.carried;
+    flow_.medium = power.carried;
   }
   flow_.kinetic = kinetic_energy(state, inertia_);
   if (state.feed_speed != 0) {

@@ -1,19 +1,24 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "wirepack/dynamics/equation_of_motion.hpp"
+#include "wirepack/dynamics/gear_values.hpp"
 #include "wirepack/packing/history.hpp"
 #include "wirepack/rod/rod_state.hpp"
 #include "wirepack/solve/solver_work.hpp"
 
 namespace wirepack {
 
-/// int F dL against the energy: work = energy + released + remeshing + residue.
+/// int F dL against the energy: work = energy + released + remeshing + friction + viscous + residue.
 struct WorkBalance {
   double work = 0;       ///< trapezoidal sum of the explicit force over the inserted length
   double released = 0;   ///< lost in snaps
   double remeshing = 0;  ///< energy that splits of the inlet edge have taken away (may be < 0)
+  double friction = 0;   ///< dissipated by friction
+  double viscous = 0;    ///< dissipated by viscous forces
 };
 
 /// Density at which the force first went through a level; phi_max at any threshold can be read off
@@ -21,6 +26,14 @@ struct WorkBalance {
 struct ForceCrossing {
   double level;
   double packing_density;
+};
+
+/// What a run with inertia needs to go on beside its rod.
+struct MotionProgress {
+  GearValues nodes, spins;  ///< see DynamicState
+  double time = 0;
+  FrictionMemory friction;
+  EnergyFlow flow;  ///< at the last step
 };
 
 /// Everything a run needs to go on, bit for bit, from the last accepted increment.
@@ -36,6 +49,7 @@ struct PackingProgress {
   std::int64_t snaps = 0;
   std::int64_t rollbacks = 0;  ///< increments repeated in halves: no convergence, or a passage
   SolverWork work;             ///< of all increments, those that were repeated included
+  std::optional<MotionProgress> motion;  ///< of a run with inertia
 };
 
 }  // namespace wirepack

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "wirepack/packing/packing_frame.hpp"
+#include "wirepack/packing/packing_progress.hpp"
+#include "wirepack/packing/scenario.hpp"
+#include "wirepack/packing/stop_rule.hpp"
+
+namespace wirepack {
+
+/// One packing run in time (Stoop et al. 2011): the rest length of the inlet edge grows at a constant
+/// speed, nodes and edge spins are integrated with the 6-value Gear scheme, strands and wall rub with
+/// stick-slip friction, small viscous forces take out vibrations. A row for each increment of length;
+/// its force is the mean injection force over the increment.
+class DynamicPacking {
+ public:
+  /// From a straight wire in the nozzle. Throws InvalidInput when the scenario is not valid.
+  explicit DynamicPacking(const Scenario& scenario);
+  /// Goes on from a saved progress of the same scenario.
+  DynamicPacking(const Scenario& scenario, PackingProgress progress);
+  ~DynamicPacking();
+  DynamicPacking(DynamicPacking&&) noexcept;
+
+  /// The next increment; progress().last is its row. Returns why the run is over, if it is. Throws
+  /// NumericalFailure when the integration has become unstable; then the progress is that of the
+  /// last good increment.
+  std::optional<StopReason> advance();
+
+  const PackingProgress& progress() const { return progress_; }
+  bool frame_is_due() const;
+  PackingFrame take_frame();
+
+ private:
+  struct Model;
+
+  std::unique_ptr<Model> model_;
+  Scenario scenario_;
+  PackingProgress progress_;
+};
+
+}  // namespace wirepack

@@ -1,0 +1,298 @@
+#include "wirepack/packing/dynamic_packing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "wirepack/contact/passage.hpp"
+#include "wirepack/core/error.hpp"
+#include "wirepack/core/random.hpp"
+#include "wirepack/dynamics/gear_integrator.hpp"
+#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/feed/feeder.hpp"
+#include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/dynamics_values.hpp"
+#include "wirepack/packing/observation.hpp"
+#include "wirepack/rod/rod_strain.hpp"
+#include "wirepack/solve/equilibrium.hpp"
+
+namespace wirepack {
+
+namespace {
+
+// Looks for strands that have passed through each other, to an increment.
+constexpr std::int64_t passage_checks = 8;
+// An increment whose energies miss by more than this share of all work and dissipation in it is one
+// in which the integration has become unstable.
+constexpr double unstable_share = 0.5;
+
+// Tangential springs of two thirds of the normal stiffness (that of a round, smooth contact is
+// between this and one: Mindlin 1949), damped by a twentieth of the critical value.
+constexpr double tangential_share = 2.0 / 3;
+constexpr double tangential_damping_ratio = 0.05;
+
+StickSlipLaw stick_slip_law(const Scenario& scenario) {
+  const double a = scenario.wire.radius;
+  const double frequency =
+      std::sqrt(tangential_share * scenario.contact.stiffness / (scenario.density * pi * a * a));
+  return {scenario.friction.static_coefficient, scenario.friction.dynamic_coefficient,
+          tangential_share, 2 * tangential_damping_ratio / frequency};
+}
+
+WireForces forces_of(const Scenario& scenario, const Nozzle& nozzle) {
+  WireForces forces;
+  forces.wire = scenario.wire;
+  forces.stiffness = stiffness(scenario.wire);
+  forces.cavity = scenario.cavity;
+  forces.wall_stiffness = scenario.wall_stiffness;
+  if (scenario.contact_enabled) forces.contact = scenario.contact;
+  if (scenario.friction.model == FrictionModel::coulomb) {
+    forces.friction = stick_slip_law(scenario);
+  }
+  forces.damping = dynamics_values(scenario).damping;
+  forces.nozzle_direction = nozzle.direction;
+  return forces;
+}
+
+void require_valid(const Scenario& scenario) {
+  std::string text;
+  for (const std::string& problem : problems(scenario)) {
+    text += (text.empty() ? "" : "\n") + problem;
+  }
+  if (!text.empty()) throw InvalidInput(text);
+}
+
+// Puts a part into Nordsieck values before the last `tail` rows.
+void insert_rows(GearValues& values, Index tail, const GearValues& rows) {
+  GearValues grown(values.rows() + rows.rows(), 6);
+  grown << values.topRows(values.rows() - tail), rows, values.bottomRows(tail);
+  values = std::move(grown);
+}
+
+// Brings a node and the frames of its edges to rest among all others, which stay where they are.
+void settle_node(RodState& rod, Index node, const Scenario& scenario) {
+  const StretchEnergy stretch(scenario.wire);
+  const JointEnergy joints(scenario.wire);
+  const WallEnergy wall(scenario.wire, scenario.cavity, scenario.wall_stiffness);
+  TotalEnergy energy(stretch, joints, wall);
+  HeldUnknowns held = HeldUnknowns::none(rod);
+  for (Index i = 0; i < rod.node_count(); ++i) {
+    if (i != node) held.hold_node(i);
+  }
+  for (Index j = 0; j < static_cast<Index>(rod.frames.size()); ++j) {
+    held.angle[static_cast<std::size_t>(j)] = j != node - 1 && j != node;
+  }
+  const double bend = stiffness(scenario.wire).bend;
+  const double force =
+      scenario.minimizer.tolerance * bend / (scenario.cavity.radius * scenario.cavity.radius);
+  const EquilibriumOptions options{force, force * scenario.wire.radius,
+                                   scenario.minimizer.shift * bend, scenario.minimizer};
+  RodState settled = rod;
+  const EquilibriumReport report =
+      solve_equilibrium(settled, held, functions_of(energy), options);
+  if (report.end == EquilibriumEnd::converged) rod = std::move(settled);
+}
+
+// Splits the inlet edge of a moving wire. The new node starts at rest between its neighbours, or it
+// would swing. The derivatives of the new node lie between those of the
+// node behind it and of the wire that comes out of the nozzle; the spin of the edge next to the
+// nozzle between those of the old edge and of the clamp.
+void split_moving_inlet(DynamicState& state, const Nozzle& nozzle, const Scenario& scenario) {
+  follow_nodes(state);
+  const double share = scenario.wire.edge_length / state.rod.inlet_rest_length;
+  split_inlet(state.rod, nozzle, scenario.wire);
+  settle_node(state.rod, state.rod.node_count() - 2, scenario);
+  const Index clamp = state.nodes.rows() - 3;
+  GearValues fed = GearValues::Zero(3, 6);
+  fed.col(1) = -state.step * state.feed_speed * nozzle.direction;
+  GearValues node = (1 - share) * state.nodes.middleRows(clamp - 3, 3) + share * fed;
+  node.col(0) = state.rod.nodes.col(state.rod.node_count() - 2);
+  insert_rows(state.nodes, 3, node);
+  const Index frames = state.spins.rows();
+  const GearValues spin =
+      (1 - share) * state.spins.row(frames - 2) + share * state.spins.row(frames - 1);
+  insert_rows(state.spins, 1, spin);
+}
+
+double residue_of(const WorkBalance& balance, const HistoryRow& row) {
+  return balance.work - row.energy_total - row.energy_kinetic - balance.friction - balance.viscous -
+         balance.remeshing;
+}
+
+std::string unstable_message(const HistoryRow& row, double step) {
+  std::ostringstream text;
+  text << "the integration has become unstable in increment " << row.increment
+       << " (L = " << row.inserted_length
+       << "): energies do not add up; a shorter dynamics.time_step than " << step << " may help";
+  return text.str();
+}
+
+}  // namespace
+
+struct DynamicPacking::Model {
+  explicit Model(const Scenario& scenario)
+      : nozzle(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist)),
+        values(dynamics_values(scenario)),
+        contact(scenario.wire, scenario.contact) {
+    force_unit = stiffness(scenario.wire).bend / (scenario.cavity.radius * scenario.cavity.radius);
+    // a whole number of steps to an increment
+    const double time = scenario.insertion.increment / values.insertion_speed;
+    step = time / std::ceil(time / values.time_step - 1e-9);
+  }
+
+  Nozzle nozzle;
+  DynamicsValues values;
+  SelfContactEnergy contact;  // for observation
+  double force_unit;          // YI / R^2
+  double step;
+};
+
+DynamicPacking::DynamicPacking(const Scenario& scenario)
+    : DynamicPacking(scenario, PackingProgress{}) {
+  const Scenario& s = scenario_;
+  progress_.rod = initial_wire(model_->nozzle, s.wire);
+  progress_.random_state = s.seed;
+  DynamicState state = at_rest(progress_.rod, model_->step);
+  // All of the wire is on its way from the start.
+  Points velocity = Points::Zero(3, progress_.rod.node_count());
+  velocity.leftCols(progress_.rod.node_count() - 1).colwise() =
+      -model_->values.insertion_speed * model_->nozzle.direction;
+  set_velocities(state, velocity,
+                 Eigen::VectorXd::Zero(static_cast<Index>(progress_.rod.frames.size())));
+  progress_.motion = MotionProgress{state.nodes, state.spins, 0, {}, {}};
+  progress_.last = observe(s, model_->contact, progress_.rod);
+  EquationOfMotion motion(forces_of(s, model_->nozzle), s.density,
+                          held_by(model_->nozzle, progress_.rod), progress_.rod);
+  Rates rates;
+  state.feed_speed = model_->values.insertion_speed;
+  motion.set_rates(state, progress_.motion->friction, rates);
+  progress_.motion->flow = motion.flow();
+  progress_.last.energy_kinetic = motion.flow().kinetic;
+  progress_.balance.work = motion.flow().stored();  // of the wire that was inside from the start
+}
+
+DynamicPacking::DynamicPacking(const Scenario& scenario, PackingProgress progress)
+    : scenario_(scenario), progress_(std::move(progress)) {
+  require_valid(scenario);
+  model_ = std::make_unique<Model>(scenario_);
+}
+
+DynamicPacking::~DynamicPacking() = default;
+DynamicPacking::DynamicPacking(DynamicPacking&&) noexcept = default;
+
+std::optional<StopReason> DynamicPacking::advance() {
+  PackingProgress next = progress_;
+  MotionProgress& moving = *next.motion;
+  const Nozzle& nozzle = model_->nozzle;
+  const double speed = model_->values.insertion_speed;
+  const double h = model_->step;
+  DynamicState state{next.rod, moving.nodes, moving.spins, moving.time, h, speed};
+  EquationOfMotion motion(forces_of(scenario_, nozzle), scenario_.density,
+                          held_by(nozzle, state.rod), state.rod);
+  Rates rates;
+
+  double left = scenario_.insertion.increment;
+  const auto end_at = [&](double length) {
+    left = std::min(left, length - progress_.last.inserted_length);
+  };
+  if (scenario_.stop.length) end_at(*scenario_.stop.length);
+  if (scenario_.stop.density) {
+    end_at(length_at_density(*scenario_.stop.density, scenario_.cavity, scenario_.wire.radius));
+  }
+  const auto steps = std::max<std::int64_t>(1, std::llround(std::ceil(left / (speed * h) - 1e-6)));
+  const Index separation =
+      first_touching_neighbor({2 * scenario_.wire.radius, scenario_.wire.edge_length,
+                               scenario_.contact.excluded_arc_length});
+
+  // Energy of a moment, without moving the memory of friction on.
+  const auto flow_now = [&] {
+    FrictionMemory unmoved = moving.friction;
+    motion.set_rates(state, unmoved, rates);
+    return motion.flow();
+  };
+  double work = 0, insertion = 0, friction = 0, viscous = 0, remeshing = 0;
+  RodState checked = state.rod;
+  for (std::int64_t k = 1; k <= steps; ++k) {
+    const EnergyFlow before = moving.flow;
+    gear_step(
+        state,
+        [&](const DynamicState& at, Rates& out) { motion.set_rates(at, moving.friction, out); },
+        rates);
+    const EnergyFlow& now = moving.flow = motion.flow();
+    insertion += h / 2 * (before.feed + now.feed);
+    work += h / 2 * (before.feed + before.medium + now.feed + now.medium);
+    friction += h / 2 * (before.friction + now.friction);
+    viscous += h / 2 * (before.viscous + now.viscous);
+    if (split_is_due(state.rod, scenario_.wire)) {
+      follow_nodes(state);
+      const EnergyFlow old = flow_now();
+      state.rod.twist_guide = joint_twists(state.rod);
+      split_moving_inlet(state, nozzle, scenario_);
+      // The straight wire would not buckle: until the first coil has formed, new nodes are a little
+      // off the axis.
+      if (total_rest_length(state.rod, scenario_.wire) < 2 * (1 + pi) * scenario_.cavity.radius) {
+        Random random(next.random_state);
+        const double amplitude = scenario_.insertion.perturbation * scenario_.wire.radius;
+        const Index node = state.rod.node_count() - 2;
+        for (int c = 0; c < 2; ++c) state.nodes(3 * node + c, 0) += amplitude * random.symmetric();
+        next.random_state = random.state();
+        follow_nodes(state);
+      }
+      motion.resize(state.rod, held_by(nozzle, state.rod));
+      moving.flow = flow_now();
+      remeshing += old.stored() - moving.flow.stored();
+    }
+    if (scenario_.contact_enabled && (k * passage_checks) % steps < passage_checks) {
+      if (!passed_pairs(checked, state.rod, separation).empty()) return StopReason::strands_passed;
+      checked = state.rod;
+    }
+  }
+  follow_nodes(state);
+  state.rod.twist_guide = joint_twists(state.rod);
+  EnergyFlow flow = flow_now();
+  flow.stick = moving.flow.stick;
+  next.rod = state.rod;
+  moving.nodes = state.nodes;
+  moving.spins = state.spins;
+  moving.time = state.time;
+  next.work.evaluations += steps;
+
+  HistoryRow row = observe(scenario_, model_->contact, next.rod);
+  const double fed = row.inserted_length - progress_.last.inserted_length;
+  row.increment = progress_.last.increment + 1;
+  row.energy_total = flow.potential + flow.stick;
+  row.energy_kinetic = flow.kinetic;
+  row.force = insertion / fed;
+  row.force_difference = (row.energy_total - progress_.last.energy_total) / fed;
+  row.scaled_force = row.force / model_->force_unit;
+  row.evaluations = static_cast<double>(steps);
+  row.time = state.time;
+  row.work = work;
+  row.viscous_dissipation = viscous;
+  row.friction_dissipation = friction - (moving.flow.stick - progress_.motion->flow.stick);
+  row.wall_seconds = progress_.last.wall_seconds;
+  next.balance.work += work;
+  next.balance.friction += row.friction_dissipation;
+  next.balance.viscous += viscous;
+  next.balance.remeshing += remeshing;
+  const double residue = residue_of(next.balance, row);
+  row.audit_residual = residue / next.balance.work;
+  const double change = residue - residue_of(progress_.balance, progress_.last);
+  const double turnover = std::abs(work) + std::abs(friction) + viscous + model_->force_unit * fed;
+  if (!(std::abs(change) < unstable_share * turnover)) {
+    throw NumericalFailure(unstable_message(row, model_->step));
+  }
+  next.last = row;
+  note_crossings(scenario_, row, next);
+  progress_ = std::move(next);
+  return reached_limit(scenario_, progress_.last);
+}
+
+bool DynamicPacking::frame_is_due() const { return wirepack::frame_is_due(scenario_, progress_); }
+
+PackingFrame DynamicPacking::take_frame() {
+  return wirepack::take_frame(scenario_, model_->contact, progress_);
+}
+
+}  // namespace wirepack
