@@ -74,7 +74,7 @@ int exit_code(const RunResult& result) {
   return lost ? exit_no_equilibrium : exit_done;
 }
 
-int finish(QuasistaticPacking& packing, Hdf5Recorder& recorder, const Scenario& scenario,
+int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
            const RunTotals& before, const RunOptions& options) {
   catch_stop_signals();
   const RunResult result = record_run(packing, recorder, scenario, before);
@@ -118,7 +118,7 @@ int resume(const Scenario& scenario, const RunOptions& options) {
     return exit_no_equilibrium;
   }
   say(fmt::format("{}: going on after increment {:.0f}", options.output, progress.last.increment));
-  QuasistaticPacking packing(scenario, std::move(progress));
+  PackingRun packing(scenario, std::move(progress));
   Hdf5Recorder recorder = Hdf5Recorder::continuing(options.output, scenario, options.command_line);
   return finish(packing, recorder, scenario, totals, options);
 }
@@ -126,9 +126,6 @@ int resume(const Scenario& scenario, const RunOptions& options) {
 int run(const RunOptions& options) {
   const Scenario scenario = scenario_of(options);
   if (options.dry_run) return show_plan(scenario);
-  if (scenario.method == Method::dynamic) {
-    throw InvalidInput("packing.method = \"dynamic\" is not in this version");
-  }
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
   const bool there = exists(options.output);
   if (there && !std::filesystem::is_regular_file(options.output)) {
@@ -139,7 +136,7 @@ int run(const RunOptions& options) {
   if (there && !options.force) {
     throw InvalidInput(options.output + " exists; --resume goes on from it, --force replaces it");
   }
-  QuasistaticPacking packing(scenario);
+  PackingRun packing(scenario);
   Hdf5Recorder recorder(options.output, scenario, options.command_line);
   return finish(packing, recorder, scenario, RunTotals{}, options);
 }

@@ -20,6 +20,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// A run with inertia is slow enough when on average it has less of its energy in motion.
+constexpr double quasistatic_share = 0.02;
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -71,10 +74,12 @@ class ProgressLine {
 void RunTotals::add(const HistoryRow& row) {
   largest_residual = std::max(largest_residual, row.residual);
   largest_overlap = std::max(largest_overlap, row.max_overlap);
+  kinetic += row.energy_kinetic;
+  stored += row.energy_total;
   seconds = row.wall_seconds;
 }
 
-RunResult record_run(QuasistaticPacking& packing, Hdf5Recorder& recorder, const Scenario& scenario,
+RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
                      const RunTotals& before) {
   RunResult result{std::nullopt, before};
   const Clock::time_point start = Clock::now();
@@ -152,9 +157,9 @@ std::string summary(const RunResult& result, const PackingProgress& progress,
   const HistoryRow& last = progress.last;
   const WorkBalance& balance = progress.balance;
   const double unit = stiffness(scenario.wire).bend / scenario.cavity.radius;  // YI / R
-  const double residue = balance.work - last.energy_total - balance.released - balance.remeshing;
-  const double percent = balance.work != 0 ? 100 * residue / balance.work : 0;
+  const double percent = balance.work != 0 ? 100 * residue(balance, last) / balance.work : 0;
   const RunTotals& totals = result.totals;
+  const SolverWork& work = progress.work;
   std::string text = "#\n";
   const auto line = [&](std::string_view name, const std::string& value) {
     text += fmt::format("# {:<22}{}\n", name, value);
@@ -165,20 +170,35 @@ std::string summary(const RunResult& result, const PackingProgress& progress,
   line("force", fmt::format("{:.6g} YI/R^2", last.scaled_force));
   line("work int F dL", fmt::format("{:.6g} YI/R", balance.work / unit));
   line("  stored energy", fmt::format("{:.6g} YI/R", last.energy_total / unit));
-  line("  released in snaps", fmt::format("{:.6g} YI/R", balance.released / unit));
+  if (scenario.method == Method::dynamic) {
+    line("  kinetic energy", fmt::format("{:.6g} YI/R", last.energy_kinetic / unit));
+    line("  rubbed off", fmt::format("{:.6g} YI/R", balance.friction / unit));
+    line("  viscous", fmt::format("{:.6g} YI/R", balance.viscous / unit));
+  } else {
+    line("  released in snaps", fmt::format("{:.6g} YI/R", balance.released / unit));
+  }
   line("  lost in remeshing", fmt::format("{:.6g} YI/R", balance.remeshing / unit));
   line("  residue", fmt::format("{:.3g} % of the work", percent));
-  line("snaps", fmt::format("{}", progress.snaps));
-  line("rollbacks", fmt::format("{}", progress.rollbacks));
-  const SolverWork& work = progress.work;
-  line("evaluations", fmt::format("{}", work.evaluations));
-  line("factorizations", fmt::format("{}", work.factorizations));
-  line("  rounds taken back", fmt::format("{}", work.rounds_taken_back));
-  line("neighbor lists made", fmt::format("{}", work.list_builds));
-  line("largest residual", fmt::format("{:.3g} YI/R^2 (tolerance {:.3g})", totals.largest_residual,
-                                       scenario.minimizer.tolerance));
+  if (scenario.method == Method::dynamic) {
+    const double share = totals.stored > 0 ? totals.kinetic / totals.stored : 0;
+    line(
+        "kinetic over stored",
+        fmt::format("{:.2g} %, mean of the run{}", 100 * share,
+                    share > quasistatic_share ? ": too fast; lower dynamics.insertion_speed" : ""));
+    line("time steps", fmt::format("{}", work.evaluations));
+  } else {
+    line("snaps", fmt::format("{}", progress.snaps));
+    line("rollbacks", fmt::format("{}", progress.rollbacks));
+    line("evaluations", fmt::format("{}", work.evaluations));
+    line("factorizations", fmt::format("{}", work.factorizations));
+    line("  rounds taken back", fmt::format("{}", work.rounds_taken_back));
+    line("neighbor lists made", fmt::format("{}", work.list_builds));
+    line("largest residual", fmt::format("{:.3g} YI/R^2 (tolerance {:.3g})",
+                                         totals.largest_residual, scenario.minimizer.tolerance));
+  }
   line("largest overlap", fmt::format("{:.3g} a", totals.largest_overlap / scenario.wire.radius));
   line("time", fmt::format("{:.1f} s", totals.seconds));
+  if (scenario.method == Method::dynamic) return text;  // one loop does all
   double rest = totals.seconds;
   const auto share = [&](std::string_view name, double seconds) {
     line(name, fmt::format("{:.2f} s, {:.0f} %", seconds, 100 * seconds / totals.seconds));

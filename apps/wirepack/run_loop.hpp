@@ -4,7 +4,7 @@
 #include <string>
 
 #include "wirepack/io/hdf5_recorder.hpp"
-#include "wirepack/packing/quasistatic_packing.hpp"
+#include "wirepack/packing/packing_run.hpp"
 
 namespace wirepack {
 
@@ -12,6 +12,7 @@ namespace wirepack {
 struct RunTotals {
   double largest_residual = 0;
   double largest_overlap = 0;
+  double kinetic = 0, stored = 0;  ///< energies, summed over increments
   double seconds = 0;
   void add(const HistoryRow& row);
 };
@@ -25,7 +26,7 @@ struct RunResult {
 /// terminal), and brings everything to the file at the start, with every frame, every
 /// output.checkpoint_every_seconds, and at the end. Throws NumericalFailure, with all increments
 /// before it saved, and FileError.
-RunResult record_run(QuasistaticPacking& packing, Hdf5Recorder& recorder, const Scenario& scenario,
+RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
                      const RunTotals& before);
 
 /// The result in numbers, as lines that start with '#'.

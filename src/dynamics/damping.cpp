@@ -14,10 +14,9 @@ DampingPower add_damping(double rate, const DynamicState& state, const WireMotio
     if (state.feed_speed != 0) {
       const Index before = i > 0 ? i - 1 : (closed ? edges - 1 : 0);
       const Index after = i < edges ? i : edges - 1;
-      const Vec3 along = motion.tangent.col(before) + motion.tangent.col(after);
-      flow = -state.feed_speed * along.normalized();
+      flow = -state.feed_speed / 2 * (motion.tangent.col(before) + motion.tangent.col(after));
     }
-    const Vec3 relative = (state.velocity(i) - flow).cwiseProduct(free);
+    const Vec3 relative = (motion.velocity.col(i) - flow).cwiseProduct(free);
     rates.node.segment<3>(3 * i) -= rate * relative;
     power.dissipated += rate * inertia.mass[i] * relative.squaredNorm();
     power.carried -= rate * inertia.mass[i] * relative.dot(flow);

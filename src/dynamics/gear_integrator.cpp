@@ -7,6 +7,7 @@ void begin_step(DynamicState& state) {
   state.rod.inlet_rest_length += state.feed_speed * state.step;
   gear_predict(state.nodes);
   gear_predict(state.spins);
+  add_holonomy(state);
   follow_nodes(state);
 }
 

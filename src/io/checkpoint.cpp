@@ -28,6 +28,62 @@ void for_each_balance_scalar(Progress& p, F&& f) {
 }
 
 template <class Progress, class F>
+void for_each_dissipation(Progress& p, F&& f) {
+  f("friction", p.balance.friction);
+  f("viscous", p.balance.viscous);
+}
+
+template <class Motion, class F>
+void for_each_motion_scalar(Motion& m, F&& f) {
+  f("time", m.time);
+  f("potential", m.flow.potential);
+  f("kinetic", m.flow.kinetic);
+  f("stick", m.flow.stick);
+  f("feed", m.flow.feed);
+  f("injection_force", m.flow.injection_force);
+  f("friction_power", m.flow.friction);
+  f("viscous_power", m.flow.viscous);
+  f("medium_power", m.flow.medium);
+}
+
+Hdf5Table<double> table_of(const GearValues& values) {
+  Hdf5Table<double> table{{}, static_cast<hsize_t>(values.rows()), 6};
+  for (Index i = 0; i < values.rows(); ++i) {
+    for (Index k = 0; k < 6; ++k) table.values.push_back(values(i, k));
+  }
+  return table;
+}
+
+GearValues gear_values_of(const Hdf5Table<double>& table) {
+  GearValues values(static_cast<Index>(table.rows), 6);
+  for (Index i = 0; i < values.rows(); ++i) {
+    for (Index k = 0; k < 6; ++k) values(i, k) = table.values[static_cast<std::size_t>(6 * i + k)];
+  }
+  return values;
+}
+
+// Columns: first, second, spring (3), normal force, sliding (0 | 1).
+Hdf5Table<double> table_of(const std::vector<StickAnchor>& anchors) {
+  Hdf5Table<double> table{{}, anchors.size(), 7};
+  for (const StickAnchor& a : anchors) {
+    table.values.insert(table.values.end(),
+                        {static_cast<double>(a.first), static_cast<double>(a.second), a.spring.x(),
+                         a.spring.y(), a.spring.z(), a.normal_force, a.sliding ? 1.0 : 0.0});
+  }
+  return table;
+}
+
+std::vector<StickAnchor> anchors_of(const Hdf5Table<double>& table) {
+  std::vector<StickAnchor> anchors;
+  for (std::size_t i = 0; i < table.values.size(); i += 7) {
+    const double* v = table.values.data() + i;
+    anchors.push_back({static_cast<Index>(v[0]), static_cast<Index>(v[1]), Vec3(v[2], v[3], v[4]),
+                       v[5], v[6] != 0});
+  }
+  return anchors;
+}
+
+template <class Progress, class F>
 void for_each_end(Progress& p, F&& f) {
   f("closed", p.rod.ends.closed);
   f("first_clamped", p.rod.ends.first_clamped);
@@ -108,12 +164,21 @@ void write_progress(hid_t file, const PackingProgress& progress) {
     write_attribute(last, std::string(column.name), progress.last.*column.value);
   }
 
+  if (progress.motion) {
+    const MotionProgress& moving = *progress.motion;
+    const Hdf5Handle motion = open_or_create_group(checkpoint, "motion");
+    for_each_motion_scalar(moving, write_to(motion));
+    replace_table(motion, "nodes", table_of(moving.nodes));
+    replace_table(motion, "spins", table_of(moving.spins));
+    replace_table(motion, "strand_anchors", table_of(moving.friction.strands));
+    replace_table(motion, "wall_anchors", table_of(moving.friction.wall));
+  }
+
   const Hdf5Handle balance = open_or_create_group(file, "balance");
   for_each_balance_scalar(progress, write_to(balance));
-  const WorkBalance& b = progress.balance;
+  for_each_dissipation(progress, write_to(balance));
   write_attribute(balance, "energy", progress.last.energy_total);
-  write_attribute(balance, "residue",
-                  b.work - progress.last.energy_total - b.released - b.remeshing);
+  write_attribute(balance, "residue", residue(progress.balance, progress.last));
 
   const Hdf5Handle work = open_or_create_group(file, "work");
   for (const auto& entry : work_counts) {
@@ -152,7 +217,24 @@ PackingProgress read_progress(hid_t file) {
     if (optional && !has_attribute(last, std::string(column.name))) continue;
     progress.last.*column.value = read_attribute<double>(last, std::string(column.name));
   }
-  for_each_balance_scalar(progress, read_from(open_group(file, "balance")));
+  if (has_link(checkpoint, "motion")) {
+    const Hdf5Handle motion = open_group(checkpoint, "motion");
+    MotionProgress& moving = progress.motion.emplace();
+    for_each_motion_scalar(moving, read_from(motion));
+    moving.nodes = gear_values_of(read_table<double>(motion, "nodes", 6));
+    moving.spins = gear_values_of(read_table<double>(motion, "spins", 6));
+    moving.friction.strands = anchors_of(read_table<double>(motion, "strand_anchors", 7));
+    moving.friction.wall = anchors_of(read_table<double>(motion, "wall_anchors", 7));
+    if (moving.nodes.rows() != rod.nodes.size() ||
+        moving.spins.rows() != static_cast<Index>(rod.frames.size())) {
+      throw FileError("checkpoint has derivatives of unfitting lengths");
+    }
+  }
+  const Hdf5Handle balance = open_group(file, "balance");
+  for_each_balance_scalar(progress, read_from(balance));
+  if (has_attribute(balance, "friction")) {  // files of 0.1.0 have none
+    for_each_dissipation(progress, read_from(balance));
+  }
   if (has_link(file, "work")) {  // files of 0.1.0 have none
     const Hdf5Handle work = open_group(file, "work");
     for (const auto& entry : work_counts) {

@@ -89,8 +89,7 @@ void settle_node(RodState& rod, Index node, const Scenario& scenario) {
   const EquilibriumOptions options{force, force * scenario.wire.radius,
                                    scenario.minimizer.shift * bend, scenario.minimizer};
   RodState settled = rod;
-  const EquilibriumReport report =
-      solve_equilibrium(settled, held, functions_of(energy), options);
+  const EquilibriumReport report = solve_equilibrium(settled, held, functions_of(energy), options);
   if (report.end == EquilibriumEnd::converged) rod = std::move(settled);
 }
 
@@ -115,9 +114,23 @@ void split_moving_inlet(DynamicState& state, const Nozzle& nozzle, const Scenari
   insert_rows(state.spins, 1, spin);
 }
 
-double residue_of(const WorkBalance& balance, const HistoryRow& row) {
-  return balance.work - row.energy_total - row.energy_kinetic - balance.friction - balance.viscous -
-         balance.remeshing;
+// The straight wire is a saddle under compression; until the first coil has formed, it is pushed off
+// its axis before every increment, like a bent cantilever, so that next to no energy comes in.
+void perturb(const Scenario& scenario, DynamicState& state, std::uint64_t& random_state) {
+  const double length = total_rest_length(state.rod, scenario.wire);
+  if (length > 2 * (1 + pi) * scenario.cavity.radius) return;
+  Random random(random_state);
+  const double amplitude = scenario.insertion.perturbation * scenario.wire.radius;
+  const double x = amplitude * random.symmetric(), y = amplitude * random.symmetric();
+  const Index last = state.rod.node_count() - 1;
+  for (Index i = 0; i < last; ++i) {
+    const double from_clamp = static_cast<double>(last - i) / static_cast<double>(last);
+    const double bent = 1 - std::cos(pi / 2 * from_clamp);
+    state.nodes(3 * i, 0) += x * bent;
+    state.nodes(3 * i + 1, 0) += y * bent;
+  }
+  follow_nodes(state);
+  random_state = random.state();
 }
 
 std::string unstable_message(const HistoryRow& row, double step) {
@@ -211,6 +224,7 @@ std::optional<StopReason> DynamicPacking::advance() {
     motion.set_rates(state, unmoved, rates);
     return motion.flow();
   };
+  perturb(scenario_, state, next.random_state);
   double work = 0, insertion = 0, friction = 0, viscous = 0, remeshing = 0;
   RodState checked = state.rod;
   for (std::int64_t k = 1; k <= steps; ++k) {
@@ -229,16 +243,6 @@ std::optional<StopReason> DynamicPacking::advance() {
       const EnergyFlow old = flow_now();
       state.rod.twist_guide = joint_twists(state.rod);
       split_moving_inlet(state, nozzle, scenario_);
-      // The straight wire would not buckle: until the first coil has formed, new nodes are a little
-      // off the axis.
-      if (total_rest_length(state.rod, scenario_.wire) < 2 * (1 + pi) * scenario_.cavity.radius) {
-        Random random(next.random_state);
-        const double amplitude = scenario_.insertion.perturbation * scenario_.wire.radius;
-        const Index node = state.rod.node_count() - 2;
-        for (int c = 0; c < 2; ++c) state.nodes(3 * node + c, 0) += amplitude * random.symmetric();
-        next.random_state = random.state();
-        follow_nodes(state);
-      }
       motion.resize(state.rod, held_by(nozzle, state.rod));
       moving.flow = flow_now();
       remeshing += old.stored() - moving.flow.stored();
@@ -276,9 +280,9 @@ std::optional<StopReason> DynamicPacking::advance() {
   next.balance.friction += row.friction_dissipation;
   next.balance.viscous += viscous;
   next.balance.remeshing += remeshing;
-  const double residue = residue_of(next.balance, row);
-  row.audit_residual = residue / next.balance.work;
-  const double change = residue - residue_of(progress_.balance, progress_.last);
+  const double missing = residue(next.balance, row);
+  row.audit_residual = missing / next.balance.work;
+  const double change = missing - residue(progress_.balance, progress_.last);
   const double turnover = std::abs(work) + std::abs(friction) + viscous + model_->force_unit * fed;
   if (!(std::abs(change) < unstable_share * turnover)) {
     throw NumericalFailure(unstable_message(row, model_->step));

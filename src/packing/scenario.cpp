@@ -13,7 +13,8 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
   Scenario scenario;
   scenario.setup = setup;
   scenario.method = method;
-  if (method == Method::dynamic) scenario.friction.model = FrictionModel::coulomb;
+  const bool rubs = method == Method::dynamic;
+  if (rubs) scenario.friction.model = FrictionModel::coulomb;
   scenario.cavity = cavity;
   scenario.wire.radius = wire_radius;
   scenario.wire.youngs_modulus = youngs_modulus;
@@ -27,7 +28,7 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
   scenario.contact.stiffness = youngs_modulus;
   scenario.contact.excluded_arc_length = pi * wire_radius;
   scenario.insertion.increment = scenario.wire.edge_length / 2;
-  scenario.stop.scaled_force = 10;
+  scenario.stop.scaled_force = rubs ? 30 : 10;
   return scenario;
 }
 

@@ -36,6 +36,10 @@ DynamicState at_rest(RodState rod, double step);
 /// Gives every node and frame a velocity, and zeroes all higher derivatives.
 void set_velocities(DynamicState& state, const Points& velocity, const Eigen::VectorXd& spin_rate);
 
+/// Adds to the turns of the edges that are not made yet what transport along the last step differs by
+/// from transport along its chord; nodes and their derivatives are those at the end of the step.
+void add_holonomy(DynamicState& state);
+
 /// Takes rod.nodes from column 0 of `nodes` and lets the frames follow: transport to the new
 /// tangents, then the turns of column 0 of `spins` about them, which are made with that. Throws
 /// NumericalFailure for an edge without length.

@@ -21,6 +21,12 @@ struct WorkBalance {
   double viscous = 0;    ///< dissipated by viscous forces
 };
 
+/// What of the work has gone nowhere; `last` is the row up to which the balance goes.
+inline double residue(const WorkBalance& balance, const HistoryRow& last) {
+  return balance.work - last.energy_total - last.energy_kinetic - balance.released -
+         balance.remeshing - balance.friction - balance.viscous;
+}
+
 /// Density at which the force first went through a level; phi_max at any threshold can be read off
 /// afterwards. Levels are decades and half-decades (1, sqrt(10), 10, ...).
 struct ForceCrossing {

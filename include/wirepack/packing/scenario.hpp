@@ -71,7 +71,7 @@ struct Scenario {
 /// curvature 1 / (2 R) whose rotation is blocked. Edges are R / 10 long, R / 20 in high torsion
 /// (whose force is so small that the mesh at the inlet shows sooner), but a/2 at least and 2 a at
 /// most; increments are half an edge, stiffnesses of contacts are Y, and the run ends at
-/// F R^2 / YI = 10. Runs with inertia have Coulomb friction, others none.
+/// F R^2 / YI = 10. Runs with inertia have Coulomb friction, which multiplies the force, and end at 30.
 Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius = 1,
                           double youngs_modulus = 5, Method method = Method::quasistatic);
 
