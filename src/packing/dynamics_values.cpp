@@ -11,6 +11,9 @@ namespace {
 // with friction miss by up to 1 % of the work, at 0.2 by 0.03 % (R = 5).
 constexpr double auto_share = 0.2;
 
+// Where the growth per step is 2e-4 without damping.
+constexpr double longest_share = 0.5;
+
 // Highest frequencies of the discrete wire. Bending: 16 B / (m l^3) for a node of mass m among equal
 // edges; the joints next to the nozzle are stiffer, 39 for an inlet edge of l/2. Contact: six
 // neighbouring strands that move against each other, or the wall and five.
@@ -37,6 +40,10 @@ DynamicsValues dynamics_values(const Scenario& scenario) {
   values.insertion_speed = scenario.dynamics.insertion_speed.value_or(sound * a / (40 * radius));
   values.time_step = scenario.dynamics.time_step.value_or(auto_share / values.highest_frequency);
   return values;
+}
+
+double longest_time_step(const Scenario& scenario) {
+  return longest_share / highest_frequency_of(scenario);
 }
 
 }  // namespace wirepack

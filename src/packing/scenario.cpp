@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/dynamics_values.hpp"
 
 namespace wirepack {
 
@@ -123,8 +124,13 @@ std::vector<std::string> problems(const Scenario& scenario) {
             *scenario.dynamics.insertion_speed, must_be_positive);
   }
   if (scenario.dynamics.time_step) {
-    require(positive(*scenario.dynamics.time_step), "dynamics.time_step",
-            *scenario.dynamics.time_step, must_be_positive);
+    std::ostringstream allowed;
+    const double longest = longest_time_step(scenario);
+    allowed << "must be positive and at most " << longest
+            << ": vibrations grow by themselves when it is longer than half of the inverse of the "
+               "highest frequency";
+    require(positive(*scenario.dynamics.time_step) && *scenario.dynamics.time_step <= longest,
+            "dynamics.time_step", *scenario.dynamics.time_step, allowed.str());
   }
 
   const MinimizerOptions& m = scenario.minimizer;

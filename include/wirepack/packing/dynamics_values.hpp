@@ -14,4 +14,7 @@ struct DynamicsValues {
 };
 DynamicsValues dynamics_values(const Scenario& scenario);
 
+/// The longest time step that is accepted.
+double longest_time_step(const Scenario& scenario);
+
 }  // namespace wirepack

@@ -1,0 +1,153 @@
+#include "wirepack/packing/dynamic_packing.hpp"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/packing/dynamics_values.hpp"
+#include "wirepack/packing/quasistatic_packing.hpp"
+
+#include "../support/moving_wire.hpp"
+
+namespace wirepack {
+namespace {
+
+Scenario scenario_of(Setup setup, double radius, Method method, double length) {
+  Scenario scenario = default_scenario(setup, SphericalCavity{radius}, 1, 5, method);
+  scenario.stop = {};
+  scenario.stop.length = length;
+  return scenario;
+}
+
+template <class Packing, class Each>
+void run(Packing& packing, Each&& each) {
+  while (!packing.advance()) each(packing.progress().last);
+}
+
+struct Means {
+  double force = 0, bend_energy = 0;
+  int count = 0;
+  void add(const HistoryRow& row) {
+    force += row.scaled_force;
+    bend_energy += row.energy_bend;
+    ++count;
+  }
+};
+
+TEST(DynamicPacking, WithoutFrictionEnergyAndForceAreThoseOfTheMinimization) {
+  const double length = 20;  // phi = 0.12
+  Scenario moving = scenario_of(Setup::low_torsion, 5, Method::dynamic, length);
+  moving.friction.model = FrictionModel::none;
+  Means dynamic, minimal;
+  // once the first coil has come to rest
+  const auto into = [](Means& means) {
+    return [&means](const HistoryRow& row) {
+      if (row.inserted_length > 14) means.add(row);
+    };
+  };
+  DynamicPacking in_time(moving);
+  run(in_time, into(dynamic));
+  QuasistaticPacking at_rest(scenario_of(Setup::low_torsion, 5, Method::quasistatic, length));
+  run(at_rest, into(minimal));
+  EXPECT_EQ(dynamic.count, minimal.count);
+  EXPECT_NEAR(dynamic.bend_energy, minimal.bend_energy, 0.01 * minimal.bend_energy);
+  // a few per cent for the energy that vibrations take
+  EXPECT_NEAR(dynamic.force, minimal.force, 0.03 * minimal.force);
+  EXPECT_LT(std::abs(in_time.progress().last.audit_residual), 1e-3);
+}
+
+TEST(DynamicPacking, WithFrictionTheWorkIsAccountedForAndTheForceIsAboveTheChangeOfEnergy) {
+  Scenario scenario = scenario_of(Setup::high_torsion, 5, Method::dynamic, 24);
+  DynamicPacking packing(scenario);
+  double rubbed_off = 0, work = 0;
+  run(packing, [&](const HistoryRow& row) {
+    EXPECT_GE(row.viscous_dissipation, 0);
+    // springs of contacts that close and open give and take a little
+    EXPECT_GT(row.friction_dissipation, -1e-3 * std::abs(row.work)) << row.increment;
+    rubbed_off += row.friction_dissipation;
+    work += row.work;
+  });
+  const PackingProgress& end = packing.progress();
+  EXPECT_LT(std::abs(end.last.audit_residual), 1e-3);
+  EXPECT_GT(rubbed_off, 0.1 * work);
+  EXPECT_GT(work, end.last.energy_total);
+  EXPECT_LT(end.last.energy_kinetic, 0.02 * end.last.energy_total);
+}
+
+TEST(DynamicPacking, ARunThatGoesOnFromASavedProgressEndsInTheSameBits) {
+  const Scenario scenario = scenario_of(Setup::low_torsion, 5, Method::dynamic, 12);
+  DynamicPacking straight(scenario);
+  std::optional<PackingProgress> saved;
+  run(straight, [&](const HistoryRow& row) {
+    if (row.increment == 38) saved = straight.progress();
+  });
+  ASSERT_TRUE(saved);
+  DynamicPacking resumed(scenario, *saved);
+  run(resumed, [](const HistoryRow&) {});
+  const PackingProgress &a = straight.progress(), &b = resumed.progress();
+  EXPECT_EQ(a.last.energy_total, b.last.energy_total);
+  EXPECT_EQ(a.last.work, b.last.work);
+  EXPECT_TRUE((a.rod.nodes.array() == b.rod.nodes.array()).all());
+  EXPECT_TRUE((a.motion->nodes.array() == b.motion->nodes.array()).all());
+  EXPECT_EQ(a.motion->friction.wall.size(), b.motion->friction.wall.size());
+}
+
+TEST(DynamicPacking, AStepBeyondStabilityIsRefusedWithAReason) {
+  Scenario scenario = scenario_of(Setup::low_torsion, 5, Method::dynamic, 12);
+  scenario.dynamics.time_step = 1 / dynamics_values(scenario).highest_frequency;
+  try {
+    DynamicPacking packing(scenario);
+    FAIL();
+  } catch (const InvalidInput& error) {
+    EXPECT_NE(std::string(error.what()).find("dynamics.time_step = "), std::string::npos);
+  }
+}
+
+/// A straight, compressed wire between the nozzle and the far pole of a cavity, whose tip sticks.
+testing::MovingWire strut(double share_of_critical) {
+  const double radius = 10, a = 1;
+  const Index edges = 18;
+  WireForces forces;
+  forces.wire.stretch_multiplier = 30;  // so that what it stands is that of an inextensible wire
+  forces.cavity = SphericalCavity{radius};
+  forces.wall_stiffness = 50;
+  forces.friction = StickSlipLaw{20, 20, 1, 0.05};
+  forces.damping = 0.02;
+  const Stiffness stiff = stiffness(forces.wire);
+  // Euler load of a wire clamped at one end, whose other end turns about the contact, a beyond it:
+  // tan kL = kL / (1 + a (L + a) k^2), k^2 = P / YI; kL from 4.4934 (a = 0) downwards.
+  const double length = 2 * (radius - a);
+  double low = pi + 1e-6, high = 1.5 * pi - 1e-6;
+  for (int i = 0; i < 60; ++i) {
+    const double kl = (low + high) / 2, k = kl / length;
+    (std::tan(kl) < kl / (1 + a * (length + a) * k * k) ? low : high) = kl;
+  }
+  const double load = share_of_critical * stiff.bend * low * low / (length * length);
+  const double overlap = load / (forces.wall_stiffness * 0.5);
+  const double edge = (length + overlap) / static_cast<double>(edges);
+  forces.wire.edge_length = edge / (1 - load / stiff.stretch);
+  Points nodes = Points::Zero(3, edges + 1);
+  for (Index i = 0; i <= edges; ++i)
+    nodes(2, i) = -(radius - a) - overlap + edge * static_cast<double>(i);
+  RodState rod = make_rod(nodes, forces.wire, {.last_clamped = true});
+  HeldUnknowns held = HeldUnknowns::none(rod);
+  held.hold_node(edges);
+  testing::MovingWire wire(forces, 1, held, rod, 0.01);
+  Points velocity = Points::Zero(3, edges + 1);
+  for (Index i = 1; i < edges; ++i) velocity(0, i) = 1e-5;
+  set_velocities(wire.state, velocity, Eigen::VectorXd::Zero(wire.state.spins.rows()));
+  return wire;
+}
+
+TEST(DynamicPacking, AWireWhoseTipSticksAtTheFarPoleBucklesAtTheEulerLoad) {
+  for (const double share : {0.96, 1.04}) {
+    testing::MovingWire wire = strut(share);
+    wire.advance_to(1500);
+    const double off = wire.state.rod.nodes.row(0).cwiseAbs().maxCoeff();
+    std::printf("%g: %g\n", share, off);
+    EXPECT_EQ(off > 0.01, share > 1) << off;
+  }
+}
+
+}  // namespace
+}  // namespace wirepack
