@@ -65,11 +65,6 @@ std::vector<std::string> problems(const Scenario& scenario) {
       require(l >= a / 10, "wire.edge_length", l, shortest.str());
     }
   }
-  if (scenario.method == Method::quasistatic && scenario.friction.model == FrictionModel::coulomb) {
-    found.emplace_back(
-        "friction.model = \"coulomb\": is not in this version for packing.method = "
-        "\"quasistatic\"");
-  }
   require(positive(scenario.wall_stiffness), "cavity.wall_stiffness", scenario.wall_stiffness,
           must_be_positive);
   require(positive(scenario.contact.stiffness), "contact.stiffness", scenario.contact.stiffness,
