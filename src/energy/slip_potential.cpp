@@ -50,13 +50,13 @@ void SlipPotential::start(const RodState& state, std::span<const SelfContact> to
   const auto add = [&](const EdgePair& edges, double normal_force, const SurfaceSlip& touch,
                        const auto& anchor_with) {
     const SlipMemory* known = recall(memory, edges);
-    const bool slides = known != nullptr && known->slid > 0;
+    const bool slides = known != nullptr && known->slid > tolerance;
     const double limit = slides ? slow * tolerance : tolerance;
     Vec3 spring = known != nullptr ? touch.tangential(known->spring) : Vec3::Zero();
     if (const double length = spring.norm(); length > limit) spring *= limit / length;
     const double stiffness = friction_.static_coefficient * normal_force / tolerance;
-    contacts_.push_back(
-        {edges, anchor_with(spring), stiffness, limit, slides ? limit + known->slid : limit});
+    contacts_.push_back({edges, anchor_with(spring), stiffness, limit,
+                         limit + (known != nullptr ? known->slid : 0)});
   };
   const Index held = state.ends.last_clamped ? state.node_count() - 1 : state.node_count();
   for (Index i = 0; i < held; ++i) {

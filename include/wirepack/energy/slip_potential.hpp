@@ -28,12 +28,12 @@ struct SlipWork {
 ///
 ///   D = sum over contacts of k f(|u|),   f = u^2 / 2 below e,  e |u| - e^2 / 2 above,
 ///
-/// u the slip of the surfaces at the material points that are in touch when the increment starts.
-/// The normal forces N are those of the start. A contact that rested over the last increment has e =
-/// slip tolerance, one that slid e = slip tolerance mu_d / mu_s, and k = mu_s N / slip tolerance: it
-/// is held by up to k e = mu_s N, or mu_d N. What u has gone beyond e is dissipated, the rest is kept
-/// in a spring that the next increment starts with, so what rests does not creep. Contacts that form
-/// within an increment are held from the next one on.
+/// u the slip of the surfaces at the material points that are in touch when the increment starts. The
+/// normal forces N are those of the start. k = mu_s N / slip tolerance, and e = slip tolerance, so a
+/// contact is held by up to k e = mu_s N; where it slid in the last increment, by more than the slip
+/// tolerance, e = slip tolerance mu_d / mu_s, and it is held by up to mu_d N. What u has gone beyond e is
+/// dissipated, the rest is kept in a spring that the next increment starts with, so what rests does
+/// not creep. Contacts that form within an increment are held from the next one on.
 class SlipPotential {
  public:
   static constexpr std::string_view name = "friction";
