@@ -13,6 +13,7 @@
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/feed/feeder.hpp"
 #include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/imperfection.hpp"
 #include "wirepack/packing/observation.hpp"
 
 namespace wirepack {
@@ -56,13 +57,13 @@ Stiffness joint_stiffness(const Scenario& scenario) {
 
 /// The terms of one scenario, and what rest means in its units.
 struct QuasistaticPacking::Model {
-  explicit Model(const Scenario& scenario)
+  Model(const Scenario& scenario, const Nozzle& at)
       : stretch(scenario.wire),
         joints(scenario.wire, joint_stiffness(scenario)),
         wall(scenario.wire, scenario.cavity, scenario.wall_stiffness),
         contact(scenario.wire, scenario.contact),
         friction(scenario.wire, scenario.friction),
-        nozzle(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist)) {
+        nozzle(at) {
     const double bend = stiffness(scenario.wire).bend;
     force_unit = bend / (scenario.cavity.radius * scenario.cavity.radius);
     options.force_tolerance = scenario.minimizer.tolerance * force_unit;
@@ -189,7 +190,9 @@ QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, PackingProgress
     for (const std::string& problem : found) text += (text.empty() ? "" : "\n") + problem;
     throw InvalidInput(text);
   }
-  model_ = std::make_unique<Model>(scenario_);
+  const DrawnSetup drawn = drawn_setup(scenario);
+  scenario_.wire = drawn.wire;
+  model_ = std::make_unique<Model>(scenario_, drawn.nozzle);
 }
 
 QuasistaticPacking::~QuasistaticPacking() = default;
