@@ -176,6 +176,10 @@ std::string summary(const RunResult& result, const PackingProgress& progress,
     line("  viscous", fmt::format("{:.6g} YI/R", balance.viscous / unit));
   } else {
     line("  released in snaps", fmt::format("{:.6g} YI/R", balance.released / unit));
+    if (scenario.friction.model != FrictionModel::none) {
+      line("  rubbed off", fmt::format("{:.6g} YI/R", balance.friction / unit));
+      line("  in sticking contacts", fmt::format("{:.6g} YI/R", balance.contact_springs / unit));
+    }
   }
   line("  lost in remeshing", fmt::format("{:.6g} YI/R", balance.remeshing / unit));
   line("  residue", fmt::format("{:.3g} % of the work", percent));

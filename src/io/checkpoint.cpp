@@ -30,6 +30,7 @@ void for_each_balance_scalar(Progress& p, F&& f) {
 template <class Progress, class F>
 void for_each_dissipation(Progress& p, F&& f) {
   f("friction", p.balance.friction);
+  f("contact_springs", p.balance.contact_springs);
   f("viscous", p.balance.viscous);
 }
 
@@ -107,6 +108,27 @@ CrossingList crossings_of(const Hdf5Table<double>& table) {
   return crossings;
 }
 
+// first, second, spring (3), slid; edge numbers are exact in a double
+Hdf5Table<double> table_of(const std::vector<SlipMemory>& memory) {
+  Hdf5Table<double> table{{}, memory.size(), 6};
+  for (const SlipMemory& m : memory) {
+    table.values.insert(table.values.end(),
+                        {static_cast<double>(m.edges.first), static_cast<double>(m.edges.second),
+                         m.spring.x(), m.spring.y(), m.spring.z(), m.slid});
+  }
+  return table;
+}
+
+std::vector<SlipMemory> memory_of(const Hdf5Table<double>& table) {
+  std::vector<SlipMemory> memory;
+  for (std::size_t i = 0; i < table.values.size(); i += 6) {
+    const double* v = table.values.data() + i;
+    memory.push_back(
+        {{static_cast<Index>(v[0]), static_cast<Index>(v[1])}, Vec3(v[2], v[3], v[4]), v[5]});
+  }
+  return memory;
+}
+
 Hdf5Table<double> list_of(const std::vector<double>& values) { return {values, values.size(), 0}; }
 
 void require_sizes(const RodState& rod) {
@@ -155,6 +177,7 @@ void write_progress(hid_t file, const PackingProgress& progress) {
   replace_table(checkpoint, "nodes", table_of(rod.nodes));
   replace_table(checkpoint, "frames", table_of(rod.frames, static_cast<Index>(rod.frames.size())));
   replace_table(checkpoint, "twist_guide", list_of(rod.twist_guide));
+  replace_table(checkpoint, "slip_memory", table_of(progress.slip_memory));
   for_each_checkpoint_scalar(progress, write_to(checkpoint));
   for_each_end(progress, [&](const char* name, bool value) {
     write_attribute(checkpoint, name, static_cast<std::int64_t>(value));
@@ -209,6 +232,9 @@ PackingProgress read_progress(hid_t file) {
   rod.nodes = points_of(read_table<double>(checkpoint, "nodes", 3));
   rod.frames = rotations_of(read_table<double>(checkpoint, "frames", 4));
   rod.twist_guide = read_table<double>(checkpoint, "twist_guide", 0).values;
+  if (has_link(checkpoint, "slip_memory")) {  // files of 0.1.0 have none
+    progress.slip_memory = memory_of(read_table<double>(checkpoint, "slip_memory", 6));
+  }
   for_each_checkpoint_scalar(progress, read_from(checkpoint));
   require_sizes(rod);
   const Hdf5Handle last = open_group(checkpoint, "last");

@@ -210,6 +210,12 @@ std::vector<ConfigKey> config_keys() {
                       in(&Scenario::dynamics, &DynamicsOptions::insertion_speed)),
       or_auto(optional_number("dynamics", "time_step",
                               in(&Scenario::dynamics, &DynamicsOptions::time_step))),
+      member("imperfection", "natural_curvature",
+             in(&Scenario::imperfection, &ImperfectionOptions::natural_curvature)),
+      member("imperfection", "nozzle_offset",
+             in(&Scenario::imperfection, &ImperfectionOptions::nozzle_offset)),
+      member("imperfection", "nozzle_tilt",
+             in(&Scenario::imperfection, &ImperfectionOptions::nozzle_tilt)),
       may_change(member("output", "frame_every_density",
                         in(&Scenario::output, &OutputOptions::frame_every_density))),
       may_change(member("output", "checkpoint_every_seconds",
@@ -217,6 +223,6 @@ std::vector<ConfigKey> config_keys() {
   };
 }
 
-std::vector<LaterKey> later_keys() { return {{"wire", "reference_shape"}, {"imperfection", ""}}; }
+std::vector<LaterKey> later_keys() { return {{"wire", "reference_shape"}}; }
 
 }  // namespace wirepack

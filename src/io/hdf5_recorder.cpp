@@ -6,6 +6,7 @@
 #include "wirepack/core/version.hpp"
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/packing/imperfection.hpp"
 
 #include "atomic_file.hpp"
 #include "checkpoint.hpp"
@@ -91,6 +92,14 @@ void write_provenance(hid_t file, const Scenario& scenario, const std::string& c
   write_attribute(file, "seed", static_cast<std::int64_t>(scenario.seed));
 }
 
+void write_setup(hid_t file, const Scenario& scenario) {
+  const Hdf5Handle group = open_or_create_group(file, "setup");
+  const DrawnSetup drawn = drawn_setup(scenario);
+  replace_table(group, "rest_darboux", list_of(drawn.wire.rest_darboux));
+  replace_table(group, "nozzle_position", list_of(drawn.nozzle.position));
+  replace_table(group, "nozzle_direction", list_of(drawn.nozzle.direction));
+}
+
 }  // namespace
 
 Hdf5Recorder::Hdf5Recorder(const std::filesystem::path& file, const Scenario& scenario,
@@ -113,6 +122,7 @@ void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReas
   try {
     const Hdf5Handle image = exists_ ? open_image(bytes) : create_image();
     write_provenance(image, scenario_, command_line_);
+    write_setup(image, scenario_);
     write_attribute(image, "finished", static_cast<std::int64_t>(stop.has_value()));
     write_attribute(image, "stop_reason", stop ? std::string(name_of(*stop)) : std::string());
     write_attribute(image, "phi_max", progress.last.packing_density);

@@ -7,11 +7,13 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/random.hpp"
 #include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/slip_potential.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
 #include "wirepack/energy/total_energy.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/feed/feeder.hpp"
 #include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/imperfection.hpp"
 #include "wirepack/packing/observation.hpp"
 
 namespace wirepack {
@@ -30,9 +32,10 @@ constexpr double resolving_substep = 1.0 / 8;
 constexpr double mesh_share = 0.05;
 
 // A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
-// its frames drop out of the minimization.
+// its frames drop out of the minimization. Friction holds its surface and twists it.
 bool torsion_free(const Scenario& scenario) {
-  return scenario.nozzle_twist == TwistCondition::free && scenario.wire.rest_darboux.isZero();
+  return scenario.nozzle_twist == TwistCondition::free && scenario.wire.rest_darboux.isZero() &&
+         scenario.friction.model == FrictionModel::none;
 }
 
 bool is_whole_edge(double length, const RodParams& wire) {
@@ -54,12 +57,13 @@ Stiffness joint_stiffness(const Scenario& scenario) {
 
 /// The terms of one scenario, and what rest means in its units.
 struct QuasistaticPacking::Model {
-  explicit Model(const Scenario& scenario)
+  Model(const Scenario& scenario, const Nozzle& at)
       : stretch(scenario.wire),
         joints(scenario.wire, joint_stiffness(scenario)),
         wall(scenario.wire, scenario.cavity, scenario.wall_stiffness),
         contact(scenario.wire, scenario.contact),
-        nozzle(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist)) {
+        friction(scenario.wire, scenario.friction),
+        nozzle(at) {
     const double bend = stiffness(scenario.wire).bend;
     force_unit = bend / (scenario.cavity.radius * scenario.cavity.radius);
     options.force_tolerance = scenario.minimizer.tolerance * force_unit;
@@ -83,6 +87,7 @@ struct QuasistaticPacking::Model {
   JointEnergy joints;
   WallEnergy wall;
   SelfContactEnergy contact;
+  SlipPotential friction;
   Nozzle nozzle;
   EquilibriumOptions options;
   double force_unit;  // YI / R^2
@@ -103,15 +108,33 @@ EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& mod
   EquilibriumOptions options = model.options;
   options.turning_taper = coiled ? radius : 0;
   if (scenario.contact_enabled) {
-    TotalEnergy energy(model.stretch, model.joints, model.wall, model.contact);
+    TotalEnergy energy(model.stretch, model.joints, model.wall, model.contact, model.friction);
     report = solve_equilibrium(rod, held, functions_of(energy), options);
   } else {
-    TotalEnergy energy(model.stretch, model.joints, model.wall);
+    TotalEnergy energy(model.stretch, model.joints, model.wall, model.friction);
     report = solve_equilibrium(rod, held, functions_of(energy), options);
   }
   if (torsion_free(scenario)) remove_twist(rod);
   return report;
 }
+
+// Friction looks back to this state until the next one is at rest.
+SlipWork start_friction(const Scenario& scenario, QuasistaticPacking::Model& model,
+                        const RodState& rod, std::span<const SlipMemory> memory) {
+  if (scenario.friction.model == FrictionModel::none) return {};
+  std::vector<SelfContact> contacts;
+  if (scenario.contact_enabled) {
+    model.contact.prepare(rod);
+    contacts = model.contact.contacts(rod);
+  }
+  model.friction.start(rod, contacts, model.wall.forces(rod), memory);
+  return model.friction.work(rod);
+}
+
+struct Rest {
+  EquilibriumReport report;
+  double against_friction;  // dissipated, and stored in contacts
+};
 
 std::optional<StopReason> failure_of(const EquilibriumReport& report) {
   switch (report.end) {
@@ -167,7 +190,9 @@ QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, PackingProgress
     for (const std::string& problem : found) text += (text.empty() ? "" : "\n") + problem;
     throw InvalidInput(text);
   }
-  model_ = std::make_unique<Model>(scenario_);
+  const DrawnSetup drawn = drawn_setup(scenario);
+  scenario_.wire = drawn.wire;
+  model_ = std::make_unique<Model>(scenario_, drawn.nozzle);
 }
 
 QuasistaticPacking::~QuasistaticPacking() = default;
@@ -220,39 +245,51 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   const double fed = length_of_step();
   const bool slides = is_whole_edge(fed, scenario_.wire);
   double force_before = next.last.force;
+  double dissipated = 0;
+  // Goes to rest from where friction has started; what rest is left with is elastic energy alone.
+  const auto relax_with_friction = [&](const SlipWork& at_start) {
+    EquilibriumReport rest = relax(scenario_, *model_, rod);
+    result.work += rest.work;
+    next.rollbacks += rest.work.rounds_taken_back;
+    result.failure = failure_of(rest);
+    const SlipWork work = model_->friction.work(rod);
+    rest.energy -= work.stored + work.dissipated;
+    next.slip_memory = model_->friction.memory(rod);
+    next.balance.friction += work.dissipated;
+    next.balance.contact_springs += work.stored - at_start.stored;
+    dissipated += work.dissipated;
+    return Rest{rest, work.dissipated + work.stored - at_start.stored};
+  };
   if (!slides && split_is_due(rod, scenario_.wire)) {
     split_inlet(rod, model_->nozzle, scenario_.wire);
-    const EquilibriumReport split = relax(scenario_, *model_, rod);
-    result.work += split.work;
-    next.rollbacks += split.work.rounds_taken_back;
-    result.failure = failure_of(split);
+    const Rest split =
+        relax_with_friction(start_friction(scenario_, *model_, rod, next.slip_memory));
     if (result.failure) return result;
-    next.balance.remeshing += energy_before - split.energy;
-    energy_before = split.energy;
-    force_before = split.inlet_length_force;
+    next.balance.remeshing += energy_before - split.report.energy - split.against_friction;
+    energy_before = split.report.energy;
+    force_before = split.report.inlet_length_force;
   }
+  const SlipWork at_start = start_friction(scenario_, *model_, rod, next.slip_memory);
   perturb(scenario_, rod, next.random_state);
   if (slides) {
     slide_one_edge(rod, scenario_.wire);
   } else {
     insert(rod, fed);
   }
-  const EquilibriumReport rest = relax(scenario_, *model_, rod);
-  result.work += rest.work;
-  next.rollbacks += rest.work.rounds_taken_back;
-  result.failure = failure_of(rest);
+  const auto [rest, against_friction] = relax_with_friction(at_start);
   if (result.failure) return result;
   HistoryRow row = observe(scenario_, model_->contact, rod);
   row.increment = next.last.increment + 1;
   row.energy_total = rest.energy;
   row.force = rest.inlet_length_force;
-  row.force_difference = (rest.energy - energy_before) / fed;
+  row.force_difference = (rest.energy - energy_before + against_friction) / fed;
   row.scaled_force = row.force / model_->force_unit;
   row.residual = rest.residual * scenario_.minimizer.tolerance;
   row.wall_seconds = next.last.wall_seconds;
+  row.friction_dissipation = dissipated;
 
   const double work = fed * (force_before + row.force) / 2;
-  const double missing = work - (rest.energy - energy_before);
+  const double missing = work - (rest.energy - energy_before) - against_friction;
   next.balance.work += work;
   const double scale =
       fed * std::max({std::abs(row.force), std::abs(force_before), model_->force_unit});

@@ -66,11 +66,6 @@ std::vector<std::string> problems(const Scenario& scenario) {
       require(l >= a / 10, "wire.edge_length", l, shortest.str());
     }
   }
-  if (scenario.method == Method::quasistatic && scenario.friction.model == FrictionModel::coulomb) {
-    found.emplace_back(
-        "friction.model = \"coulomb\": is not in this version for packing.method = "
-        "\"quasistatic\"");
-  }
   require(positive(scenario.wall_stiffness), "cavity.wall_stiffness", scenario.wall_stiffness,
           must_be_positive);
   require(positive(scenario.contact.stiffness), "contact.stiffness", scenario.contact.stiffness,
@@ -143,6 +138,17 @@ std::vector<std::string> problems(const Scenario& scenario) {
   require(m.refactor_every >= 2, "minimizer.refactor_every", m.refactor_every,
           "must be at least 2");
   require(positive(m.shift), "minimizer.shift", m.shift, must_be_positive);
+  const ImperfectionOptions& imperfection = scenario.imperfection;
+  const auto up_to = [&](const char* key, double value, double largest, const char* unit) {
+    std::ostringstream allowed;
+    allowed << "must be between 0 and " << largest << " (" << unit << ")";
+    require(not_negative(value) && value <= largest, key, value, allowed.str());
+    require(value == 0 || scenario.method == Method::quasistatic, key, value,
+            "is not in this version for packing.method = \"dynamic\"");
+  };
+  up_to("imperfection.natural_curvature", imperfection.natural_curvature, 1, "over 1 / R");
+  up_to("imperfection.nozzle_offset", imperfection.nozzle_offset, radius / (4 * a), "wire radii");
+  up_to("imperfection.nozzle_tilt", imperfection.nozzle_tilt, 0.5, "rad");
   require(positive(scenario.output.frame_every_density), "output.frame_every_density",
           scenario.output.frame_every_density, must_be_positive);
   require(not_negative(scenario.output.checkpoint_every_seconds), "output.checkpoint_every_seconds",

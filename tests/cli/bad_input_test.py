@@ -65,9 +65,7 @@ class BadInput(ProgramTest):
 
     def test_what_this_version_does_not_have(self):
         not_here = "is not in this version"
-        self.refuse_config('[friction]\nmodel = "coulomb"', not_here)
         self.refuse_config('[wire]\nreference_shape = "shape.toml"', not_here)
-        self.refuse_config("[imperfection]\nx = 1", not_here)
 
     def test_friction_and_dynamics_that_cannot_be(self):
         dynamic = '[packing]\nmethod = "dynamic"\n'
@@ -81,6 +79,16 @@ class BadInput(ProgramTest):
         ]:
             with self.subTest(text):
                 self.refuse_config(dynamic + text, allowed)
+
+    def test_imperfections_that_cannot_be(self):
+        for text, allowed in [
+            ("nozzle_tilt = 1", "imperfection.nozzle_tilt = 1: must be between 0 and 0.5 (rad)"),
+            ("nozzle_offset = -1", "imperfection.nozzle_offset = -1: must be between 0 and"),
+            ("natural_curvature = 2", "imperfection.natural_curvature = 2: must be between 0 and 1"),
+            ("tilt = 1", "did you mean imperfection.nozzle_tilt?"),
+        ]:
+            with self.subTest(text):
+                self.refuse_config("[imperfection]\n" + text, allowed)
 
     def test_all_problems_are_named_at_once(self):
         text = "[cavity]\nradius = -1\nraduis = 2\n[stop]\nforce = true\n[packing]\nsetup = 1"

@@ -106,6 +106,18 @@ class Resume(ProgramTest):
             if same_by_bits and "@" not in name:
                 self.assertEqual(value.tolist(), second[name].tolist(), name)
 
+    def test_contacts_with_friction_go_on_as_they_were(self):
+        friction = ["--set", "friction.model=coulomb"]
+        whole = self.run_whole("whole.h5", *friction)
+        self.run_whole("part.h5", *friction, "--set", "stop.increments=43")
+        code, _, err = self.run_program("run", "run.toml", "-o", "part.h5", "--resume", *friction)
+        self.assertEqual(code, 0, err)
+        first, second = datasets(whole), datasets(self.folder / "part.h5")
+        self.assertGreater(len(first["checkpoint/slip_memory"]), 5)
+        for name, value in first.items():
+            if name.startswith(("history/", "checkpoint/")) and "@" not in name:
+                self.assertEqual(value.tolist(), second[name].tolist(), name)
+
     def test_a_finished_run_stays_as_it_is(self):
         whole = self.run_whole()
         before = whole.read_bytes()

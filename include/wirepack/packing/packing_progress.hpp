@@ -6,25 +6,28 @@
 
 #include "wirepack/dynamics/equation_of_motion.hpp"
 #include "wirepack/dynamics/gear_values.hpp"
+#include "wirepack/energy/slip_potential.hpp"
 #include "wirepack/packing/history.hpp"
 #include "wirepack/rod/rod_state.hpp"
 #include "wirepack/solve/solver_work.hpp"
 
 namespace wirepack {
 
-/// int F dL against the energy: work = energy + released + remeshing + friction + viscous + residue.
+/// int F dL against the energy: work = energy + released + remeshing + friction + contact_springs +
+/// viscous + residue.
 struct WorkBalance {
   double work = 0;       ///< trapezoidal sum of the explicit force over the inserted length
   double released = 0;   ///< lost in snaps
   double remeshing = 0;  ///< energy that splits of the inlet edge have taken away (may be < 0)
   double friction = 0;   ///< dissipated by friction
-  double viscous = 0;    ///< dissipated by viscous forces
+  double contact_springs = 0;  ///< put into the springs of contacts that stick (SlipPotential)
+  double viscous = 0;          ///< dissipated by viscous forces
 };
 
 /// What of the work has gone nowhere; `last` is the row up to which the balance goes.
 inline double residue(const WorkBalance& balance, const HistoryRow& last) {
   return balance.work - last.energy_total - last.energy_kinetic - balance.released -
-         balance.remeshing - balance.friction - balance.viscous;
+         balance.remeshing - balance.friction - balance.contact_springs - balance.viscous;
 }
 
 /// Density at which the force first went through a level; phi_max at any threshold can be read off
@@ -47,8 +50,9 @@ struct PackingProgress {
   RodState rod;
   HistoryRow last;  ///< of the last accepted increment; zeros at the start
   WorkBalance balance;
-  std::uint64_t random_state = 0;  ///< of the perturbations
-  double substep = 1;              ///< part of an increment that is taken at a time, 2^-k
+  std::uint64_t random_state = 0;       ///< of the perturbations
+  std::vector<SlipMemory> slip_memory;  ///< of the contacts with friction
+  double substep = 1;                   ///< part of an increment that is taken at a time, 2^-k
   double last_frame_density = -1;
   std::vector<ForceCrossing> scaled_crossings;    ///< of F R^2 / YI
   std::vector<ForceCrossing> absolute_crossings;  ///< of F / (Y a^2)

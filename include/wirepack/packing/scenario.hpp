@@ -42,6 +42,14 @@ struct DynamicsOptions {
   std::optional<double> time_step;        ///< "auto": from the stiffest mode [time]
 };
 
+/// What the seed makes of the wire and the nozzle, so that runs with different seeds are independent:
+/// amplitudes of uniform distributions (see drawn_setup).
+struct ImperfectionOptions {
+  double natural_curvature = 0;  ///< rest curvature of the wire, over 1 / R
+  double nozzle_offset = 0;      ///< of the nozzle along the wall, over the wire radius
+  double nozzle_tilt = 0;        ///< between the nozzle and the axis of the sphere [rad]
+};
+
 enum class Setup { low_torsion, high_torsion };
 /// Energy minimization after each increment, or integration in time.
 enum class Method { quasistatic, dynamic };
@@ -63,6 +71,7 @@ struct Scenario {
   MinimizerOptions minimizer;
   FrictionParams friction;
   DynamicsOptions dynamics;
+  ImperfectionOptions imperfection;
   OutputOptions output;
 };
 

@@ -1,0 +1,144 @@
+#include "wirepack/energy/slip_potential.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace wirepack {
+
+namespace {
+
+constexpr Index wall = -1;
+
+// Strands that slide pass their contact on to neighbouring edges, on by the slip of an increment.
+constexpr Index reach = 2;
+
+bool before(const EdgePair& a, const EdgePair& b) {
+  return a.first != b.first ? a.first < b.first : a.second < b.second;
+}
+
+// What the contact itself remembers, or else the nearest one of the same two strands.
+const SlipMemory* recall(std::span<const SlipMemory> memory, const EdgePair& edges) {
+  const SlipMemory* found = nullptr;
+  Index nearest = 2 * reach + 1;
+  const auto from =
+      std::lower_bound(memory.begin(), memory.end(), edges.first - reach,
+                       [](const SlipMemory& m, Index first) { return m.edges.first < first; });
+  for (auto m = from; m != memory.end() && m->edges.first <= edges.first + reach; ++m) {
+    if ((m->edges.second == wall) != (edges.second == wall)) continue;
+    const Index aside = std::abs(m->edges.second - edges.second);
+    const Index distance = std::abs(m->edges.first - edges.first) + aside;
+    if (aside > reach || distance >= nearest) continue;
+    nearest = distance;
+    found = &*m;
+  }
+  return found;
+}
+
+}  // namespace
+
+SlipPotential::SlipPotential(const RodParams& params, const FrictionParams& friction)
+    : params_(params), friction_(friction) {}
+
+void SlipPotential::start(const RodState& state, std::span<const SelfContact> touches,
+                          const Eigen::VectorXd& wall_forces, std::span<const SlipMemory> memory) {
+  contacts_.clear();
+  if (friction_.model == FrictionModel::none || friction_.static_coefficient == 0) return;
+  const double tolerance = friction_.slip_tolerance * params_.radius;
+  const double slow = friction_.dynamic_coefficient / friction_.static_coefficient;
+  const auto add = [&](const EdgePair& edges, double normal_force, const SurfaceSlip& touch,
+                       const auto& anchor_with) {
+    const SlipMemory* known = recall(memory, edges);
+    const bool slides = known != nullptr && known->slid > tolerance;
+    const double limit = slides ? slow * tolerance : tolerance;
+    Vec3 spring = known != nullptr ? touch.tangential(known->spring) : Vec3::Zero();
+    if (const double length = spring.norm(); length > limit) spring *= limit / length;
+    const double stiffness = friction_.static_coefficient * normal_force / tolerance;
+    contacts_.push_back({edges, anchor_with(spring), stiffness, limit,
+                         limit + (known != nullptr ? known->slid : 0)});
+  };
+  const Index held = state.ends.last_clamped ? state.node_count() - 1 : state.node_count();
+  for (Index i = 0; i < held; ++i) {
+    if (wall_forces[i] <= 0) continue;
+    add({i, wall}, wall_forces[i], wall_slip(state, i, params_.radius),
+        [&](const Vec3& spring) { return wall_anchor(state, params_, i, spring); });
+  }
+  for (const SelfContact& touch : touches) {
+    const auto& [i, j] = touch.edges;
+    const LineContact& line = touch.line;
+    add(touch.edges, touch.force, strand_slip(state, i, line.s, j, line.t, line.separation),
+        [&](const Vec3& spring) {
+          return strand_anchor(state, params_, i, line.s, j, line.t, line.separation, spring);
+        });
+  }
+}
+
+double SlipPotential::add_gradient(const RodState& state, Gradient& gradient) const {
+  double energy = 0;
+  for (const Contact& c : contacts_) {
+    const SurfaceAnchor::Slip slip = c.anchor.slip(state, params_);
+    const double length = slip.u.norm();
+    double factor = c.stiffness;
+    if (length <= c.limit) {
+      energy += factor / 2 * length * length;
+    } else {
+      energy += factor * c.limit * (length - c.limit / 2);
+      factor *= c.limit / length;
+    }
+    const Vec3 force = factor * slip.u;
+    slip.map.add_force(force, gradient.node, gradient.frame);
+    gradient.inlet_length += force.dot(slip.by_inlet_length);
+  }
+  return energy;
+}
+
+void SlipPotential::add_curvature(const RodState& state, CurvatureModel& model) const {
+  for (const Contact& c : contacts_) {
+    const SurfaceAnchor::Slip slip = c.anchor.slip(state, params_);
+    // k f'(v) / v: the parabola through v that lies above f; v is the slip, or what it is expected to be
+    const double length = std::max({slip.u.norm(), c.expected, c.limit});
+    const double weight = c.stiffness * c.limit / length;
+    const Vec3 along = slip.map.normal.unitOrthogonal();
+    for (const Vec3& direction : {along, Vec3(slip.map.normal.cross(along))}) {
+      std::array<CurvatureModel::NodePart, 4> nodes;
+      std::array<CurvatureModel::FramePart, 2> frames;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const SurfaceSlip::NodePart& part = slip.map.nodes[k];
+        nodes[k] = {part.node, part.weight * direction};
+      }
+      for (std::size_t k = 0; k < 2; ++k) {
+        const SurfaceSlip::EdgePart& part = slip.map.edges[k];
+        frames[k] = {part.edge, part.lever.cross(direction)};
+      }
+      const std::size_t used = c.anchor.on_wall ? 1 : 4;
+      model.add_square(weight, std::span(nodes).first(used), frames);
+    }
+  }
+}
+
+SlipWork SlipPotential::work(const RodState& state) const {
+  SlipWork work;
+  for (const Contact& c : contacts_) {
+    const double length = c.anchor.slip(state, params_).u.norm();
+    const double spring = std::min(length, c.limit);
+    work.stored += c.stiffness / 2 * spring * spring;
+    work.dissipated += c.stiffness * c.limit * (length - spring);
+  }
+  return work;
+}
+
+std::vector<SlipMemory> SlipPotential::memory(const RodState& state) const {
+  std::vector<SlipMemory> memory;
+  for (const Contact& c : contacts_) {
+    const Vec3 u = c.anchor.slip(state, params_).u;
+    const double length = u.norm();
+    const double slid = std::max(0.0, length - c.limit);
+    memory.push_back({c.edges, slid > 0 ? Vec3(c.limit / length * u) : u, slid});
+  }
+  std::sort(memory.begin(), memory.end(),
+            [](const SlipMemory& a, const SlipMemory& b) { return before(a.edges, b.edges); });
+  return memory;
+}
+
+}  // namespace wirepack
