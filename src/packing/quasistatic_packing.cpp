@@ -13,6 +13,7 @@
 #include "wirepack/feed/feeder.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/observation.hpp"
+#include "wirepack/rod/rest_strain.hpp"
 
 namespace wirepack {
 
@@ -32,7 +33,7 @@ constexpr double mesh_share = 0.05;
 // A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
 // its frames drop out of the minimization.
 bool torsion_free(const Scenario& scenario) {
-  return scenario.nozzle_twist == TwistCondition::free && scenario.wire.rest_darboux.isZero();
+  return scenario.nozzle_twist == TwistCondition::free && is_straight(scenario.wire);
 }
 
 bool is_whole_edge(double length, const RodParams& wire) {
