@@ -88,13 +88,13 @@ RodState released(const RodParams& params, Index edges) {
 TEST(RestStrain, FreeWireTakesAHelixOfEitherHandWithoutEnergy) {
   for (const double torsion : {0.5, -0.5}) {
     const Helix helix{1, torsion};
-    RodParams params = testing::unit_rod(100, 12);
+    RodParams params = testing::unit_rod(60, 12);
     params.reference_shape = uniform_shape(Vec3(0, helix.curvature, helix.torsion), 1);
-    const RodState state = released(params, 100);
+    const RodState state = released(params, 60);
     const testing::MeasuredHelix found = testing::measured_helix(state);
-    // l k = 0.12 per joint: (l k)^2 / 12 = 1.2e-3; right-handed (pitch > 0) for positive torsion
-    EXPECT_NEAR(found.radius / helix.radius(), 1, 2e-3);
-    EXPECT_NEAR(found.pitch / helix.pitch(), 1, 2e-3);
+    // l k = 0.2 per joint: (l k)^2 / 12 = 3.3e-3; right-handed (pitch > 0) for positive torsion
+    EXPECT_NEAR(found.radius / helix.radius(), 1, 5e-3);
+    EXPECT_NEAR(found.pitch / helix.pitch(), 1, 5e-3);
     EXPECT_NEAR(testing::elastic_energy(state, params), 0, 1e-10);  // straight it was 6
   }
 }
