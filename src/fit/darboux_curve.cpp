@@ -179,8 +179,8 @@ void DarbouxCurve::by_unknowns(
   const Piece& piece = piece_at(arc);
   Mat3 lever;  // n . (turn x r) = turn . (r x n)
   for (int a = 0; a < 3; ++a) lever.col(a) = there.position.cross(Vec3(directions.col(a)));
-  out.noalias() = lever.transpose() * piece.turn;
-  out.noalias() += directions.transpose() * piece.shift;
+  out.noalias() = lever.transpose().lazyProduct(piece.turn);
+  out.noalias() += directions.transpose().lazyProduct(piece.shift);
   const Mat3 within = directions.transpose() * piece.start.directors *
                       screw_derivative(piece.darboux, arc - piece.from).shift;
   for (const auto& w : piece.weights) {

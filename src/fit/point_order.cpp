@@ -1,9 +1,9 @@
 #include "point_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <numeric>
-#include <optional>
 
 namespace wirepack {
 
@@ -32,19 +32,34 @@ Points group_means(const Points& points, double radius) {
   return means;
 }
 
-std::vector<Index> nearest_chain(const Points& points, Index start) {
-  std::vector<Index> chain{start}, left(static_cast<std::size_t>(points.cols()));
-  std::iota(left.begin(), left.end(), Index{0});
-  left.erase(left.begin() + start);
+// Grows at both of its ends, always by the point that is nearest to either.
+std::vector<Index> nearest_chain(const Points& points) {
+  std::vector<Index> left(static_cast<std::size_t>(points.cols() - 1));
+  std::iota(left.begin(), left.end(), Index{1});
+  std::array<std::vector<Index>, 2> sides{{{0}, {}}};
+  struct Next {
+    double distance;
+    std::size_t place;  // in `left`
+  };
+  const auto nearest_to = [&](Index end) {
+    Next next{std::numeric_limits<double>::infinity(), 0};
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const double distance = (points.col(left[k]) - points.col(end)).squaredNorm();
+      if (distance < next.distance) next = {distance, k};
+    }
+    return next;
+  };
   while (!left.empty()) {
-    const Vec3 here = points.col(chain.back());
-    const auto distance = [&](Index i) { return (points.col(i) - here).squaredNorm(); };
-    const auto next = std::min_element(left.begin(), left.end(),
-                                       [&](Index a, Index b) { return distance(a) < distance(b); });
-    chain.push_back(*next);
-    *next = left.back();
+    const Next first = nearest_to(sides[0].back());
+    const Next second = nearest_to(sides[1].empty() ? 0 : sides[1].back());
+    const std::size_t side = first.distance <= second.distance ? 0 : 1;
+    Index& taken = left[(side == 0 ? first : second).place];
+    sides[side].push_back(taken);
+    taken = left.back();
     left.pop_back();
   }
+  std::vector<Index> chain(sides[1].rbegin(), sides[1].rend());
+  chain.insert(chain.end(), sides[0].begin(), sides[0].end());
   return chain;
 }
 
@@ -104,8 +119,7 @@ std::vector<Index> order_along_wire(const Points& points) {
   for (; radius < extent / 4; radius *= 1.5) {
     const Points means = group_means(points, radius);
     if (means.cols() < 4) break;
-    // The last of a chain from anywhere is an end.
-    const std::vector<Index> chain = nearest_chain(means, nearest_chain(means, 0).back());
+    const std::vector<Index> chain = nearest_chain(means);
     if (!is_a_wire(means, chain)) continue;
     Points line(3, means.cols());
     for (Index i = 0; i < line.cols(); ++i)

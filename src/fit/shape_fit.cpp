@@ -18,8 +18,7 @@ namespace wirepack {
 
 namespace {
 
-constexpr Index most_trial_points = 200;    // on which starts compete
-constexpr Index most_ladder_points = 1500;  // on which numbers of intervals do
+constexpr Index most_trial_points = 200;  // on which starts compete
 constexpr Index most_intervals = 96;
 constexpr double straight_significance = 11.8;  // chi^2 of two numbers, as rare as three sigma
 
@@ -111,27 +110,24 @@ void keep_arcs(const MeasuredPoints& points, FitStart& start) {
   start.basis.last = points.arc.maxCoeff();
 }
 
-// The number of intervals by Schwarz's criterion, on a sample of the points.
-Index chosen_intervals(const MeasuredPoints& points, const SplineStart& start) {
-  const std::vector<Index> which = sample(points.count(), most_ladder_points);
-  const MeasuredPoints few = chosen(points, which);
-  const Index rows = points.arc.size() > 0 ? 3 : 2;
-  const double share = static_cast<double>(points.count()) / static_cast<double>(which.size());
+// The number of intervals by Schwarz's criterion, on means of successive points.
+Index chosen_intervals(const MeasuredPoints& points) {
+  const MeasuredPoints means = block_means(points).points;
+  const SplineStart start(means);
+  const Index residuals = (points.arc.size() > 0 ? 3 : 2) * means.count();
   Index best = 1;
   double least = std::numeric_limits<double>::infinity();
   int worse = 0;
-  for (const Index intervals : interval_ladder(std::min(points.count() / 4, most_intervals))) {
+  for (const Index intervals : interval_ladder(std::min(means.count() / 4, start.intervals()))) {
     FitStart trial = start.with_intervals(intervals);
-    keep_arcs(points, trial);
-    trial.feet = Eigen::VectorXd(trial.feet(which));
-    const CurveSolution solution = solve_curve(few, trial, 0, 30);
-    const double criterion =
-        schwarz_criterion(2 * solution.cost * share, rows * points.count(), trial.basis.size());
+    keep_arcs(means, trial);
+    const CurveSolution solution = solve_curve(means, trial, 0, 30);
+    const double criterion = schwarz_criterion(2 * solution.cost, residuals, trial.basis.size());
     if (criterion < least) {
       least = criterion;
       best = intervals;
       worse = 0;
-    } else if (++worse == 2) {
+    } else if (++worse == 3) {
       break;
     }
   }
@@ -173,12 +169,11 @@ Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& so
     if (first == 0 || i != 4) free.push_back(i);
   }
   const Eigen::MatrixXd jacobian = solution.jacobian(Eigen::all, free);
-  // R of a QR decomposition has the singular values of the Jacobian and few rows
-  const Eigen::MatrixXd r = Eigen::HouseholderQR<Eigen::MatrixXd>(jacobian)
-                                .matrixQR()
-                                .topRows(jacobian.cols())
-                                .triangularView<Eigen::Upper>();
+  // R of a QR decomposition has the singular values of the Jacobian and few rows.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
+  const Eigen::MatrixXd r = qr.matrixR().topRows(jacobian.cols()).triangularView<Eigen::Upper>();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
+  const Eigen::MatrixXd directions = qr.colsPermutation() * svd.matrixV();
   const Eigen::VectorXd& values = svd.singularValues();
   Uncertainty result;
   result.unknowns = jacobian.cols();
@@ -202,12 +197,12 @@ Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& so
   const double scale = given ? 1 : result.noise;
   const Index kept = result.rank;
   const Eigen::MatrixXd half =
-      svd.matrixV().leftCols(kept) * values.head(kept).cwiseInverse().asDiagonal();
+      directions.leftCols(kept) * values.head(kept).cwiseInverse().asDiagonal();
   const Eigen::MatrixXd of_free = scale * scale * (half * half.transpose());
   result.covariance = Eigen::MatrixXd::Zero(size, size);
   result.covariance(free, free) = of_free;
   result.unknown_directions = Eigen::MatrixXd::Zero(size, result.unknowns - kept);
-  result.unknown_directions(free, Eigen::all) = svd.matrixV().rightCols(result.unknowns - kept);
+  result.unknown_directions(free, Eigen::all) = directions.rightCols(result.unknowns - kept);
   return result;
 }
 
@@ -359,9 +354,10 @@ ShapeFit result_of(const Scaled& scale, const CurveSolution& solution, const Fit
   fit.noise = uncertainty.noise * (weighted ? 1 : unit);
   if (weighted) fit.chi_square = solution.weighted_distance.squaredNorm();
   // Chance of one normal residual in so many dimensions beyond the limit: 1 / (20 n).
-  const double limit = std::sqrt(2 * std::log(20 * static_cast<double>(n)) + (solution.rows - 2));
+  const double limit =
+      std::sqrt(2 * std::log(20 * static_cast<double>(n)) + double(solution.rows - 2));
   const double sigma =
-      weighted ? 1 : std::min(uncertainty.noise, std::max(robust_scale(solution), 1e-15));
+      weighted ? 1 : std::max(std::min(uncertainty.noise, robust_scale(solution)), 1e-12);
   for (Index i = 0; i < n; ++i) {
     if (solution.weighted_distance[i] > limit * sigma) fit.outliers.push_back(i);
   }
@@ -407,7 +403,7 @@ ShapeFit fit_shape(const MeasuredPoints& given, const FitOptions& options) {
     if (options.model == ShapeModel::spline) {
       const SplineStart start(scale.points);
       const Index intervals =
-          options.intervals ? *options.intervals : chosen_intervals(scale.points, start);
+          options.intervals ? *options.intervals : chosen_intervals(scale.points);
       FitStart one = start.with_intervals(intervals);
       keep_arcs(scale.points, one);
       return best_of(scale.points, {one});

@@ -12,28 +12,6 @@ namespace wirepack {
 
 namespace {
 
-constexpr Index most_samples = 400;
-
-// Means of runs of successive points: less scatter, and an order that it does not disturb.
-struct Blocks {
-  Points means;
-  std::vector<Index> of_point;
-};
-
-Blocks blocks_of(const Points& points) {
-  const Index n = points.cols(), count = std::min(n, most_samples);
-  Blocks blocks{Points::Zero(3, count), {}};
-  Eigen::VectorXd members = Eigen::VectorXd::Zero(count);
-  for (Index i = 0; i < n; ++i) {
-    const Index b = i * count / n;
-    blocks.of_point.push_back(b);
-    blocks.means.col(b) += points.col(i);
-    members[b] += 1;
-  }
-  for (Index b = 0; b < count; ++b) blocks.means.col(b) /= members[b];
-  return blocks;
-}
-
 // Principal axes of the points as columns, the longest first; right-handed.
 Mat3 principal_axes(const Points& points) {
   const Points centred = points.colwise() - points.rowwise().mean();
@@ -171,10 +149,10 @@ std::optional<Cylinder> cylinder_about(const Points& points, const Vec3& axis) {
 // Turns per height that most of the points agree on, for points in any order: the maximum of
 // |sum exp(i (angle - w height))|.
 double best_winding(const Cylinder& cylinder) {
-  const Index n = cylinder.angle.size(), stride = std::max<Index>(1, n / most_samples);
+  const Index n = cylinder.angle.size(), stride = std::max<Index>(1, n / most_block_means);
   const double range = cylinder.height.maxCoeff() - cylinder.height.minCoeff();
   const double step = 2 * pi / (8 * range);
-  const Index most = 2 * std::min(n, most_samples);  // a quarter turn per point
+  const Index most = 2 * std::min(n, most_block_means);  // a quarter turn per point
   double best = -1, winding = 0;
   for (Index k = -most; k <= most; ++k) {
     const double w = step * static_cast<double>(k);
@@ -193,13 +171,13 @@ double best_winding(const Cylinder& cylinder) {
   return winding;
 }
 
-std::optional<AxisHelix> helix_about(const MeasuredPoints& points, const Blocks& blocks,
+std::optional<AxisHelix> helix_about(const MeasuredPoints& points, const BlockMeans& blocks,
                                      Vec3 axis) {
   auto cylinder = cylinder_about(points.position, axis);
   if (!cylinder) return std::nullopt;
   AxisHelix helix{cylinder->axes, {}, cylinder->circle.radius, 0, {}};
   if (points.ordered) {
-    const Points local = helix.axes.transpose() * blocks.means;
+    const Points local = helix.axes.transpose() * blocks.points.position;
     Eigen::VectorXd of_blocks(local.cols());
     for (Index b = 0; b < local.cols(); ++b) {
       of_blocks[b] = std::atan2(local(1, b) - cylinder->circle.y, local(0, b) - cylinder->circle.x);
@@ -242,25 +220,39 @@ Vec3 axis_by_differences(const Points& points, Index lag) {
       .col(0);
 }
 
-using Cubic = Eigen::Matrix<double, 1, Eigen::Dynamic>;
-
-// Rows of B-spline values at u in [0, 1]; one block of DarbouxBasis's weights.
-Eigen::MatrixXd spline_rows(const Eigen::VectorXd& u, Index intervals) {
-  const DarbouxBasis basis{intervals, false, 0, 1};
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(u.size(), intervals + 3);
+// Values of a B-spline at u in [0, 1], from coefficients in rows.
+Eigen::MatrixXd spline_values(const Eigen::MatrixXd& coefficients, const Eigen::VectorXd& u) {
+  const DarbouxBasis basis{coefficients.rows() - 3, false, 0, 1};
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(u.size(), coefficients.cols());
   for (Index i = 0; i < u.size(); ++i) {
     for (const auto& w : basis.weights(u[i])) {
-      if (w.component == 0) rows(i, w.unknown) = w.value;
+      if (w.component == 0) values.row(i) += w.value * coefficients.row(w.unknown);
     }
   }
-  return rows;
+  return values;
 }
 
-// Least squares; a trace of a ridge keeps coefficients without points finite.
-Eigen::MatrixXd solve_rows(const Eigen::MatrixXd& rows, const Eigen::MatrixXd& values) {
-  Eigen::MatrixXd normal = rows.transpose() * rows;
-  normal.diagonal().array() += 1e-10 * normal.trace() / static_cast<double>(normal.rows());
-  return normal.ldlt().solve(rows.transpose() * values);
+// Coefficients of the B-spline nearest to values at u; a trace of a ridge keeps those without values
+// finite.
+Eigen::MatrixXd spline_through(const Eigen::MatrixXd& values, const Eigen::VectorXd& u,
+                               Index intervals) {
+  const DarbouxBasis basis{intervals, false, 0, 1};
+  const Index size = intervals + 3;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(size, size);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(size, values.cols());
+  for (Index i = 0; i < u.size(); ++i) {
+    const std::vector<DarbouxBasis::Weight> weights = basis.weights(u[i]);
+    for (int a = 0; a < 4; ++a) {  // those of the first component come first
+      const auto& wa = weights[static_cast<std::size_t>(a)];
+      right.row(wa.unknown) += wa.value * values.row(i);
+      for (int b = 0; b < 4; ++b) {
+        const auto& wb = weights[static_cast<std::size_t>(b)];
+        normal(wa.unknown, wb.unknown) += wa.value * wb.value;
+      }
+    }
+  }
+  normal.diagonal().array() += 1e-10 * normal.trace() / static_cast<double>(size);
+  return normal.llt().solve(right);
 }
 
 Eigen::VectorXd cumulated_chords(const Points& points) {
@@ -271,22 +263,6 @@ Eigen::VectorXd cumulated_chords(const Points& points) {
   return arc;
 }
 
-// Parameters in [0, 1] by the chords of the blocks.
-Eigen::VectorXd chord_parameters(const Points& points) {
-  const Blocks blocks = blocks_of(points);
-  const Eigen::VectorXd arc = cumulated_chords(blocks.means);
-  const Index n = points.cols(), m = arc.size();
-  Eigen::VectorXd u(n);
-  for (Index i = 0; i < n; ++i) {
-    const double place = std::clamp(
-        (static_cast<double>(i) + 0.5) * static_cast<double>(m) / static_cast<double>(n) - 0.5, 0.0,
-        static_cast<double>(m - 1));
-    const Index b = std::min(static_cast<Index>(place), m - 2);
-    u[i] = arc[b] + (place - static_cast<double>(b)) * (arc[b + 1] - arc[b]);
-  }
-  return (u.array() - u[0]) / (u[n - 1] - u[0]);
-}
-
 struct PositionSpline {
   Index intervals = 1;
   Eigen::MatrixXd coefficients;  // rows of x, y, z
@@ -295,25 +271,20 @@ struct PositionSpline {
 PositionSpline position_spline(const Points& points, const Eigen::VectorXd& u) {
   PositionSpline best;
   double least = std::numeric_limits<double>::infinity();
-  int worse = 0;
   for (const Index intervals : interval_ladder(std::min<Index>(points.cols() / 3, 96))) {
-    const Eigen::MatrixXd rows = spline_rows(u, intervals);
-    const Eigen::MatrixXd coefficients = solve_rows(rows, points.transpose());
-    const double sum = (rows * coefficients - points.transpose()).squaredNorm();
+    const Eigen::MatrixXd coefficients = spline_through(points.transpose(), u, intervals);
+    const double sum = (spline_values(coefficients, u) - points.transpose()).squaredNorm();
     const double criterion = schwarz_criterion(sum, 3 * points.cols(), 3 * (intervals + 3));
     if (criterion < least) {
       least = criterion;
       best = {intervals, coefficients};
-      worse = 0;
-    } else if (++worse == 3) {
-      break;
     }
   }
   return best;
 }
 
 Points on_spline(const PositionSpline& spline, const Eigen::VectorXd& u) {
-  return (spline_rows(u, spline.intervals) * spline.coefficients).transpose();
+  return spline_values(spline.coefficients, u).transpose();
 }
 
 // Nearest places of the points on a polyline, near where they were, as shares of its length.
@@ -340,6 +311,29 @@ Eigen::VectorXd nearest_parameters(const Points& points, const Eigen::VectorXd& 
 
 }  // namespace
 
+BlockMeans block_means(const MeasuredPoints& points) {
+  const Index n = points.count(), count = std::min(n, most_block_means);
+  BlockMeans result;
+  MeasuredPoints& means = result.points;
+  means.ordered = points.ordered;
+  means.position = Points::Zero(3, count);
+  if (points.arc.size() > 0) means.arc = Eigen::VectorXd::Zero(count);
+  if (points.sigma.size() > 0) means.sigma = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd members = Eigen::VectorXd::Zero(count);
+  for (Index i = 0; i < n; ++i) {
+    const Index b = i * count / n;
+    result.of_point.push_back(b);
+    means.position.col(b) += points.position.col(i);
+    if (points.arc.size() > 0) means.arc[b] += points.arc[i];
+    if (points.sigma.size() > 0) means.sigma[b] += points.sigma[i] * points.sigma[i];
+    members[b] += 1;
+  }
+  for (Index b = 0; b < count; ++b) means.position.col(b) /= members[b];
+  if (points.arc.size() > 0) means.arc = means.arc.cwiseQuotient(members);
+  if (points.sigma.size() > 0) means.sigma = means.sigma.cwiseSqrt().cwiseQuotient(members);
+  return result;
+}
+
 double schwarz_criterion(double sum_of_squares, Index residuals, Index unknowns) {
   const auto n = static_cast<double>(residuals);
   return n * std::log(sum_of_squares / n + 1e-22) + static_cast<double>(unknowns) * std::log(n);
@@ -358,7 +352,7 @@ FitStart circle_start(const MeasuredPoints& points) {
   const Mat3 axes = principal_axes(points.position);
   auto cylinder = cylinder_about(points.position, axes.col(2));
   if (!cylinder) return straight_start(points, axes, true);
-  const Blocks blocks = blocks_of(points.position);
+  const BlockMeans blocks = block_means(points);
   AxisHelix helix{cylinder->axes, {}, cylinder->circle.radius, 0, {}};
   if (points.ordered) {
     const auto wound = helix_about(points, blocks, axes.col(2));
@@ -375,7 +369,7 @@ FitStart circle_start(const MeasuredPoints& points) {
 
 std::vector<FitStart> helix_starts(const MeasuredPoints& points) {
   std::vector<FitStart> starts;
-  const Blocks blocks = blocks_of(points.position);
+  const BlockMeans blocks = block_means(points);
   const auto try_axis = [&](const Vec3& axis) {
     if (const auto helix = helix_about(points, blocks, axis)) {
       starts.push_back(start_of(*helix, false));
@@ -384,8 +378,8 @@ std::vector<FitStart> helix_starts(const MeasuredPoints& points) {
   const Mat3 axes = principal_axes(points.position);
   for (int a = 0; a < 3; ++a) try_axis(axes.col(a));
   if (points.ordered) {
-    for (Index lag = 1; 3 * lag < blocks.means.cols(); lag *= 2) {
-      try_axis(axis_by_differences(blocks.means, lag));
+    for (Index lag = 1; 3 * lag < blocks.points.count(); lag *= 2) {
+      try_axis(axis_by_differences(blocks.points.position, lag));
     }
   }
   const FitStart circle = circle_start(points);
@@ -400,28 +394,36 @@ std::vector<FitStart> helix_starts(const MeasuredPoints& points) {
 }
 
 SplineStart::SplineStart(const MeasuredPoints& points) {
-  Eigen::VectorXd u = points.arc.size() > 0
-                          ? Eigen::VectorXd((points.arc.array() - points.arc[0]) /
-                                            (points.arc[points.count() - 1] - points.arc[0]))
-                          : chord_parameters(points.position);
+  const bool known_arcs = points.arc.size() > 0;
+  const BlockMeans blocks = block_means(points);
+  const Points& means = blocks.points.position;
+  const Index last = means.cols() - 1;
+  Eigen::VectorXd u = known_arcs ? blocks.points.arc : cumulated_chords(means);
+  u /= known_arcs ? points.arc[points.count() - 1] : u[last];
   PositionSpline spline;
   Eigen::VectorXd fine;
   for (int round = 0; round < 3; ++round) {
-    spline = position_spline(points.position, u);
+    spline = position_spline(means, u);
     fine = Eigen::VectorXd::LinSpaced(40 * spline.intervals + 1, 0, 1);
-    if (points.arc.size() == 0 && round < 2) {
-      u = nearest_parameters(points.position, u, on_spline(spline, fine));
-      u = (u.array() - u.minCoeff()) / (u.maxCoeff() - u.minCoeff());
+    if (!known_arcs && round < 2) {
+      u = nearest_parameters(means, u, on_spline(spline, fine));
+      u = (u.array() - u[0]) / (u[last] - u[0]);
     }
   }
+  intervals_ = spline.intervals;
   const Points line = on_spline(spline, fine);
   arcs_ = cumulated_chords(line);
   length_ = arcs_[arcs_.size() - 1];
-  feet_ = points.arc.size() > 0 ? Eigen::VectorXd(points.arc.array() - points.arc[0])
-                                : Eigen::VectorXd(length_ * u);
-  if (points.arc.size() > 0) {
+  if (known_arcs) {
+    feet_ = points.arc;
     arcs_ *= feet_[feet_.size() - 1] / length_;
     length_ = feet_[feet_.size() - 1];
+  } else {
+    Eigen::VectorXd of_points(points.count());
+    for (Index i = 0; i < points.count(); ++i) {
+      of_points[i] = u[blocks.of_point[static_cast<std::size_t>(i)]];
+    }
+    feet_ = length_ * nearest_parameters(points.position, of_points, line);
   }
   // Frames without twist along the samples, and the bending between them.
   const Index n = line.cols();
@@ -456,7 +458,7 @@ FitStart SplineStart::with_intervals(Index intervals) const {
   start.pose = middle_;
   start.feet = feet_;
   const Eigen::MatrixXd coefficients =
-      solve_rows(spline_rows(arcs_ / length_, intervals), bending_.transpose());
+      spline_through(bending_.transpose(), arcs_ / length_, intervals);
   start.shape_unknowns.resize(start.basis.size());
   start.shape_unknowns << coefficients.col(0), coefficients.col(1);
   return start;

@@ -16,6 +16,14 @@ struct FitStart {
   Eigen::VectorXd feet;            ///< N
 };
 
+/// Means of runs of successive points: less scatter, and an order that it does not disturb.
+struct BlockMeans {
+  MeasuredPoints points;        ///< at most most_block_means; as many as there are of fewer points
+  std::vector<Index> of_point;  ///< the mean that each point is in
+};
+constexpr Index most_block_means = 600;
+BlockMeans block_means(const MeasuredPoints& points);
+
 /// The algebraic circle (Taubin 1991) in the plane of the points, or a straight line.
 FitStart circle_start(const MeasuredPoints& points);
 
@@ -31,8 +39,11 @@ class SplineStart {
   explicit SplineStart(const MeasuredPoints& points);
   /// A start whose k0 is a spline with so many intervals.
   FitStart with_intervals(Index intervals) const;
+  /// Of the position; k0 has no finer detail.
+  Index intervals() const { return intervals_; }
 
  private:
+  Index intervals_ = 0;
   double length_ = 0;
   Eigen::VectorXd feet_;
   DarbouxCurve::Pose middle_;
