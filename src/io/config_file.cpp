@@ -1,18 +1,15 @@
 #include "wirepack/io/config_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <numeric>
-#include <system_error>
 
 #include "wirepack/core/error.hpp"
 
 #include "config_keys.hpp"
 #include "config_text.hpp"
+#include "text_file.hpp"
 
 namespace wirepack {
 
@@ -253,33 +250,6 @@ class Interpreter {
   std::vector<Accepted> accepted_;
 };
 
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  const std::string name = file.string();
-  if (status.type() == std::filesystem::file_type::not_found) {
-    throw InvalidInput(name + ": there is no such file");
-  }
-  if (error) throw InvalidInput(name + ": " + error.message());
-  if (std::filesystem::is_directory(status)) {
-    throw InvalidInput(name + ": is a folder; a configuration is a file such as run.toml");
-  }
-  // A pipe or device might never end.
-  if (!std::filesystem::is_regular_file(status)) {
-    throw InvalidInput(name + ": is not a regular file");
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InvalidInput(name + ": cannot be opened: " + std::strerror(errno));
-  std::string text(largest_file + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw FileError(name + ": reading failed: " + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > largest_file) {
-    throw InvalidInput(name + ": is larger than 1 MB, which no configuration is");
-  }
-  return text;
-}
-
 }  // namespace
 
 Scenario parse_config(std::string_view text, const std::string& source,
@@ -303,7 +273,7 @@ Scenario parse_config(std::string_view text, const std::string& source,
 
 Scenario read_config(const std::filesystem::path& file,
                      const std::vector<ConfigOverride>& overrides) {
-  return parse_config(read_text(file), file.string(), overrides);
+  return parse_config(read_text(file, "a configuration", largest_file), file.string(), overrides);
 }
 
 std::string resolved_config(const Scenario& scenario) {
