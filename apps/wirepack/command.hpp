@@ -27,5 +27,6 @@ struct Command {
 Command run_command(CLI::App& program, const std::string& command_line);
 Command verify_command(CLI::App& program);
 Command figures_command(CLI::App& program);
+Command fit_command(CLI::App& program, const std::string& command_line);
 
 }  // namespace wirepack

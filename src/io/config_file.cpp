@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/io/shape_file.hpp"
 
 #include "config_keys.hpp"
 #include "config_text.hpp"
@@ -56,9 +57,26 @@ std::string quoted_list(const std::vector<std::string_view>& values) {
   return text;
 }
 
-// The value in the type of the key; otherwise `problem` says what is allowed.
+// Rows, or those in a file, whose name is relative to the folder.
+std::optional<ConfigValue> converted_shape(const ConfigValue* value,
+                                           const std::filesystem::path& folder,
+                                           std::string& problem) {
+  const auto* name = value != nullptr ? std::get_if<std::string>(value) : nullptr;
+  const auto* rows = value != nullptr ? std::get_if<std::vector<DarbouxRow>>(value) : nullptr;
+  try {
+    if (name != nullptr) return ConfigValue(read_shape(folder / *name).rows());
+    if (rows != nullptr) return ConfigValue(DarbouxTable(*rows).rows());
+    problem = "must be the name of a shape file, or rows [[s, k1, k2, k3], ...]";
+  } catch (const InvalidInput& error) {
+    problem = error.what();
+  }
+  return std::nullopt;
+}
+
+// The value in the type of the key; otherwise `problem` says what is allowed. Names of files are
+// relative to the folder, those of overrides to the current one.
 std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given,
-                                     std::string& problem) {
+                                     const std::filesystem::path& folder, std::string& problem) {
   const ConfigValue* value = given.value ? &*given.value : nullptr;
   const auto* word = value != nullptr ? std::get_if<std::string>(value) : nullptr;
   const bool chosen = word != nullptr &&
@@ -91,6 +109,8 @@ std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given
     case ConfigType::choice:
       problem = "must be " + quoted_list(key.choices);
       return std::nullopt;
+    case ConfigType::shape:
+      return converted_shape(value, given.overrides ? std::filesystem::path() : folder, problem);
   }
   return std::nullopt;
 }
@@ -104,6 +124,7 @@ class Interpreter {
   Scenario scenario() {
     check_sections();
     for (const GivenKey& given : text_.keys) accept(given);
+    check_rest_shape();
     Scenario result = defaults();
     const bool any_limit = std::any_of(accepted_.begin(), accepted_.end(),
                                        [](const Accepted& a) { return a.key->section == "stop"; });
@@ -183,10 +204,25 @@ class Interpreter {
       return;
     }
     std::string problem;
-    if (auto value = converted(*key, given, problem)) {
+    if (auto value =
+            converted(*key, given, std::filesystem::path(source_).parent_path(), problem)) {
       accepted_.push_back({key, std::move(*value)});
     } else {
       complain(given, problem);
+    }
+  }
+
+  // A wire has one shape at rest.
+  void check_rest_shape() {
+    for (const GivenKey& given : text_.keys) {
+      const std::string path = given.section + "." + given.name;
+      const bool shaped = value_of("wire.reference_shape") != nullptr;
+      if (path == "wire.precurvature" && shaped) {
+        complain(given, "wire.reference_shape is given, too; must be only one of them");
+      }
+      if (path == "wire.reference_shape_beyond" && !shaped) {
+        complain(given, "is for wire.reference_shape, which is not given");
+      }
     }
   }
 
@@ -298,7 +334,9 @@ std::optional<std::string> continuation_conflict(const Scenario& was, const Scen
   for (const ConfigKey& key : config_keys()) {
     if (key.may_change) continue;
     const std::string before = text(key.get(was)), after = text(key.get(now));
-    if (before != after) return fmt::format("{}: was {}, is now {}", key.path(), before, after);
+    if (before == after) continue;
+    if (key.type == ConfigType::shape) return key.path() + ": is another one than it was";
+    return fmt::format("{}: was {}, is now {}", key.path(), before, after);
   }
   return std::nullopt;
 }

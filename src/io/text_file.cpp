@@ -32,7 +32,8 @@ std::string read_text(const std::filesystem::path& file, const std::string& what
   if (in.bad()) throw FileError(name + ": reading failed: " + std::strerror(errno));
   text.resize(static_cast<std::size_t>(in.gcount()));
   if (text.size() > largest) {
-    throw InvalidInput(name + ": is larger than " + std::to_string(largest / 1'000'000) + " MB, which " + what + " is not");
+    throw InvalidInput(name + ": is larger than " + std::to_string(largest / 1'000'000) +
+                       " MB, which " + what + " is not");
   }
   return text;
 }

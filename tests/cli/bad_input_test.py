@@ -66,7 +66,6 @@ class BadInput(ProgramTest):
     def test_what_this_version_does_not_have(self):
         not_here = "is not in this version"
         self.refuse_config('[friction]\nmodel = "coulomb"', not_here)
-        self.refuse_config('[wire]\nreference_shape = "shape.toml"', not_here)
         self.refuse_config("[imperfection]\nx = 1", not_here)
 
     def test_friction_and_dynamics_that_cannot_be(self):

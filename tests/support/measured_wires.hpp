@@ -35,7 +35,8 @@ inline Points helix_points(Index count, double radius, double slope, double turn
   const auto steps = static_cast<double>(closed_end ? count - 1 : count);
   for (Index i = 0; i < count; ++i) {
     const double phi = 2 * pi * turns * static_cast<double>(i) / steps;
-    points.col(i) = shift + turn * Vec3(radius * std::cos(phi), radius * std::sin(phi), slope * phi);
+    points.col(i) =
+        shift + turn * Vec3(radius * std::cos(phi), radius * std::sin(phi), slope * phi);
   }
   return points;
 }
