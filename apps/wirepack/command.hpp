@@ -28,5 +28,6 @@ Command run_command(CLI::App& program, const std::string& command_line);
 Command verify_command(CLI::App& program);
 Command figures_command(CLI::App& program);
 Command analyze_command(CLI::App& program);
+Command fit_command(CLI::App& program, const std::string& command_line);
 
 }  // namespace wirepack

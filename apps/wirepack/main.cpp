@@ -99,7 +99,8 @@ int run_program(int count, char** arguments) {
       "            5 file error, 75 stopped on a signal with everything saved");
   const std::vector<Command> commands{run_command(program, shell_text(count, arguments)),
                                       verify_command(program), figures_command(program),
-                                      analyze_command(program)};
+                                      analyze_command(program),
+                                      fit_command(program, shell_text(count, arguments))};
   try {
     program.parse(count, arguments);
   } catch (const CLI::Success& wish) {  // --help, --version

@@ -5,6 +5,7 @@
 
 #include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
+#include "wirepack/rod/rest_strain.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 
 namespace wirepack {
@@ -111,7 +112,7 @@ JointEnergy::JointEnergy(const RodParams& params, const Stiffness& stiffness)
     : params_(params), stiffness_(joint_stiffness(stiffness)) {}
 
 double JointEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  if (stiffness_.z() == 0 && params_.rest_darboux.isZero()) {
+  if (stiffness_.z() == 0 && is_straight(params_)) {
     return add_bending_of_tangents(state, params_, stiffness_.x(), gradient);
   }
   double energy = 0;
@@ -120,16 +121,16 @@ double JointEnergy::add_gradient(const RodState& state, Gradient& gradient) cons
     const double length = node_length(state, params_, joint.node);
     const JointStrain strain =
         joint_strain_derivative(before, frame(state, joint.after), guide(state, joint.node));
-    const Vec3 excess = strain.value - length * params_.rest_darboux;
+    const Vec3 excess = strain.value - rest_strain(state, params_, joint.node);
     const Vec3 moment = stiffness_.cwiseProduct(excess) / length;
     const double joint_energy = moment.dot(excess) / 2;
     energy += joint_energy;
     const Vec3 spin_moment = before * (strain.by_spin.transpose() * moment);
     gradient.frame.col(joint.after) += spin_moment;
     gradient.frame.col(joint.before) -= spin_moment;
-    // E = K (s - l k0)^2 / (2 l): dE/dl = -E / l - M . k0
-    gradient.inlet_length -= node_length_by_inlet(state, joint.node) *
-                             (joint_energy / length + moment.dot(params_.rest_darboux));
+    // E = K (s - s0)^2 / (2 l): dE = -E / l dl - M . ds0
+    gradient.inlet_length -= node_length_by_inlet(state, joint.node) * joint_energy / length +
+                             moment.dot(rest_strain_by_inlet(state, params_, joint.node));
   });
   return energy;
 }
@@ -157,7 +158,7 @@ NodeEnergies node_energies(const RodParams& params, const RodState& state) {
     const double length = node_length(state, params, joint.node);
     const Vec3 excess = joint_strain(frame(state, joint.before), frame(state, joint.after),
                                      guide(state, joint.node)) -
-                        length * params.rest_darboux;
+                        rest_strain(state, params, joint.node);
     const Vec3 energy = stiff.cwiseProduct(excess.cwiseAbs2()) / (2 * length);
     energies.bend[joint.node] = energy.x() + energy.y();
     energies.twist[joint.node] = energy.z();

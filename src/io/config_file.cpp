@@ -1,18 +1,16 @@
 #include "wirepack/io/config_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <numeric>
-#include <system_error>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/io/shape_file.hpp"
 
 #include "config_keys.hpp"
 #include "config_text.hpp"
+#include "text_file.hpp"
 
 namespace wirepack {
 
@@ -59,9 +57,26 @@ std::string quoted_list(const std::vector<std::string_view>& values) {
   return text;
 }
 
-// The value in the type of the key; otherwise `problem` says what is allowed.
+// Rows, or those in a file, whose name is relative to the folder.
+std::optional<ConfigValue> converted_shape(const ConfigValue* value,
+                                           const std::filesystem::path& folder,
+                                           std::string& problem) {
+  const auto* name = value != nullptr ? std::get_if<std::string>(value) : nullptr;
+  const auto* rows = value != nullptr ? std::get_if<std::vector<DarbouxRow>>(value) : nullptr;
+  try {
+    if (name != nullptr) return ConfigValue(read_shape(folder / *name).rows());
+    if (rows != nullptr) return ConfigValue(DarbouxTable(*rows).rows());
+    problem = "must be the name of a shape file, or rows [[s, k1, k2, k3], ...]";
+  } catch (const InvalidInput& error) {
+    problem = error.what();
+  }
+  return std::nullopt;
+}
+
+// The value in the type of the key; otherwise `problem` says what is allowed. Names of files are
+// relative to the folder, those of overrides to the current one.
 std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given,
-                                     std::string& problem) {
+                                     const std::filesystem::path& folder, std::string& problem) {
   const ConfigValue* value = given.value ? &*given.value : nullptr;
   const auto* word = value != nullptr ? std::get_if<std::string>(value) : nullptr;
   const bool chosen = word != nullptr &&
@@ -94,6 +109,8 @@ std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given
     case ConfigType::choice:
       problem = "must be " + quoted_list(key.choices);
       return std::nullopt;
+    case ConfigType::shape:
+      return converted_shape(value, given.overrides ? std::filesystem::path() : folder, problem);
   }
   return std::nullopt;
 }
@@ -107,6 +124,7 @@ class Interpreter {
   Scenario scenario() {
     check_sections();
     for (const GivenKey& given : text_.keys) accept(given);
+    check_rest_shape();
     Scenario result = defaults();
     const bool any_limit = std::any_of(accepted_.begin(), accepted_.end(),
                                        [](const Accepted& a) { return a.key->section == "stop"; });
@@ -139,12 +157,6 @@ class Interpreter {
                        [&](const ConfigKey& k) { return k.section == name; });
   }
 
-  bool is_later(std::string_view section, std::string_view name) const {
-    return std::any_of(later_.begin(), later_.end(), [&](const LaterKey& k) {
-      return k.section == section && (k.name.empty() || k.name == name);
-    });
-  }
-
   const ConfigValue* value_of(std::string_view path) const {
     const auto it = std::find_if(accepted_.begin(), accepted_.end(),
                                  [&](const Accepted& a) { return a.key->path() == path; });
@@ -164,11 +176,6 @@ class Interpreter {
     }
     for (const GivenSection& section : text_.sections) {
       if (is_section(section.name)) continue;
-      if (is_later(section.name, "")) {
-        problems_.push_back(
-            fmt::format("{}: [{}]: is not in this version", section.where, section.name));
-        continue;
-      }
       const std::string meant = nearest(section.name, names);
       problems_.push_back(fmt::format("{}: [{}]: unknown section; {}", section.where, section.name,
                                       meant.empty()
@@ -181,15 +188,29 @@ class Interpreter {
     if (!is_section(given.section)) return;  // one message per section is enough
     const ConfigKey* key = find(given.section, given.name);
     if (key == nullptr) {
-      complain(given,
-               is_later(given.section, given.name) ? "is not in this version" : suggestion(given));
+      complain(given, suggestion(given));
       return;
     }
     std::string problem;
-    if (auto value = converted(*key, given, problem)) {
+    if (auto value =
+            converted(*key, given, std::filesystem::path(source_).parent_path(), problem)) {
       accepted_.push_back({key, std::move(*value)});
     } else {
       complain(given, problem);
+    }
+  }
+
+  // A wire has one shape at rest.
+  void check_rest_shape() {
+    for (const GivenKey& given : text_.keys) {
+      const std::string path = given.section + "." + given.name;
+      const bool shaped = value_of("wire.reference_shape") != nullptr;
+      if (path == "wire.precurvature" && shaped) {
+        complain(given, "wire.reference_shape is given, too; must be only one of them");
+      }
+      if (path == "wire.reference_shape_beyond" && !shaped) {
+        complain(given, "is for wire.reference_shape, which is not given");
+      }
     }
   }
 
@@ -246,39 +267,11 @@ class Interpreter {
   }
 
   const std::vector<ConfigKey> keys_ = config_keys();
-  const std::vector<LaterKey> later_ = later_keys();
   ConfigText text_;
   std::string source_;
   std::vector<std::string> problems_;
   std::vector<Accepted> accepted_;
 };
-
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  const std::string name = file.string();
-  if (status.type() == std::filesystem::file_type::not_found) {
-    throw InvalidInput(name + ": there is no such file");
-  }
-  if (error) throw InvalidInput(name + ": " + error.message());
-  if (std::filesystem::is_directory(status)) {
-    throw InvalidInput(name + ": is a folder; a configuration is a file such as run.toml");
-  }
-  // A pipe or device might never end.
-  if (!std::filesystem::is_regular_file(status)) {
-    throw InvalidInput(name + ": is not a regular file");
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InvalidInput(name + ": cannot be opened: " + std::strerror(errno));
-  std::string text(largest_file + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw FileError(name + ": reading failed: " + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > largest_file) {
-    throw InvalidInput(name + ": is larger than 1 MB, which no configuration is");
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -303,7 +296,7 @@ Scenario parse_config(std::string_view text, const std::string& source,
 
 Scenario read_config(const std::filesystem::path& file,
                      const std::vector<ConfigOverride>& overrides) {
-  return parse_config(read_text(file), file.string(), overrides);
+  return parse_config(read_text(file, "a configuration", largest_file), file.string(), overrides);
 }
 
 std::string resolved_config(const Scenario& scenario) {
@@ -328,7 +321,9 @@ std::optional<std::string> continuation_conflict(const Scenario& was, const Scen
   for (const ConfigKey& key : config_keys()) {
     if (key.may_change) continue;
     const std::string before = text(key.get(was)), after = text(key.get(now));
-    if (before != after) return fmt::format("{}: was {}, is now {}", key.path(), before, after);
+    if (before == after) continue;
+    if (key.type == ConfigType::shape) return key.path() + ": is another one than it was";
+    return fmt::format("{}: was {}, is now {}", key.path(), before, after);
   }
   return std::nullopt;
 }

@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::array setup_names{std::pair{Setup::low_torsion, "low_torsion"},
                                  std::pair{Setup::high_torsion, "high_torsion"}};
+constexpr std::array beyond_names{std::pair{BeyondShape::error, "error"},
+                                  std::pair{BeyondShape::repeat, "repeat"},
+                                  std::pair{BeyondShape::extend, "extend"}};
 constexpr std::array twist_names{std::pair{TwistCondition::free, "free"},
                                  std::pair{TwistCondition::locked, "locked"}};
 
@@ -141,13 +144,40 @@ ConfigKey precurvature() {
   key.set = [](Scenario& s, const ConfigValue& v) {
     s.wire.rest_darboux = Vec3(0, std::get<double>(v), 0);
   };
-  key.get = [](const Scenario& s) {
+  key.get = [](const Scenario& s) -> std::optional<ConfigValue> {
+    if (!s.wire.reference_shape.empty()) return std::nullopt;
     const Vec3& k = s.wire.rest_darboux;
     if (k.x() != 0 || k.z() != 0) {
       throw InvalidInput(
           "wire.precurvature: only a rest curvature (0, k, 0) can be written as a configuration");
     }
     return ConfigValue(k.y());
+  };
+  return key;
+}
+
+// With what it holds and not by the name of a file: a run is the same whatever becomes of the file.
+ConfigKey reference_shape() {
+  ConfigKey key = named("wire", "reference_shape");
+  key.type = ConfigType::shape;
+  key.set = [](Scenario& s, const ConfigValue& v) {
+    s.wire.reference_shape.table = DarbouxTable(std::get<std::vector<DarbouxRow>>(v));
+    s.wire.rest_darboux.setZero();
+  };
+  key.get = [](const Scenario& s) -> std::optional<ConfigValue> {
+    if (s.wire.reference_shape.empty()) return std::nullopt;
+    return s.wire.reference_shape.table.rows();
+  };
+  return key;
+}
+
+ConfigKey reference_shape_beyond() {
+  ConfigKey key = choice(
+      "wire", "reference_shape_beyond", beyond_names,
+      [](auto& s) -> auto& { return s.wire.reference_shape.beyond; });
+  key.get = [get = key.get](const Scenario& s) -> std::optional<ConfigValue> {
+    if (s.wire.reference_shape.empty()) return std::nullopt;
+    return get(s);
   };
   return key;
 }
@@ -176,6 +206,8 @@ std::vector<ConfigKey> config_keys() {
       member("wire", "stretch_multiplier", in(&Scenario::wire, &RodParams::stretch_multiplier)),
       member("wire", "edge_length", in(&Scenario::wire, &RodParams::edge_length)),
       precurvature(),
+      reference_shape(),
+      reference_shape_beyond(),
       member("wire", "density", in(&Scenario::density)),
       only("cavity", "shape", "sphere"),
       member("cavity", "radius", in(&Scenario::cavity, &SphericalCavity::radius)),
@@ -222,7 +254,5 @@ std::vector<ConfigKey> config_keys() {
                         in(&Scenario::output, &OutputOptions::checkpoint_every_seconds))),
   };
 }
-
-std::vector<LaterKey> later_keys() { return {{"wire", "reference_shape"}}; }
 
 }  // namespace wirepack

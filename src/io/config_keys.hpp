@@ -13,9 +13,11 @@
 
 namespace wirepack {
 
-using ConfigValue = std::variant<bool, std::int64_t, double, std::string>;
+/// Rows of k0(s) are written as [[s, k1, k2, k3], ...].
+using ConfigValue = std::variant<bool, std::int64_t, double, std::string, std::vector<DarbouxRow>>;
 
-enum class ConfigType { boolean, integer, number, choice };
+/// Shape: rows of k0(s), or the name of a file that holds them.
+enum class ConfigType { boolean, integer, number, choice, shape };
 
 /// One key of the configuration: what reading, messages and writing all go by.
 struct ConfigKey {
@@ -34,11 +36,5 @@ struct ConfigKey {
 
 /// All keys, in the order in which they are written.
 std::vector<ConfigKey> config_keys();
-
-/// Keys that belong to wirepack, but not to this version; an empty name stands for all of a section.
-struct LaterKey {
-  std::string_view section, name;
-};
-std::vector<LaterKey> later_keys();
 
 }  // namespace wirepack

@@ -5,6 +5,8 @@
 #include <toml++/toml.h>
 #include <tuple>
 
+#include "darboux_rows.hpp"
+
 namespace wirepack {
 
 namespace {
@@ -35,18 +37,24 @@ std::string place(const std::string& source, const toml::source_region& region) 
   return fmt::format("{}:{}:{}", source, region.begin.line, region.begin.column);
 }
 
+std::optional<ConfigValue> rows_of(const toml::array& array) {
+  if (auto rows = darboux_rows(array)) return ConfigValue(std::move(*rows));
+  return std::nullopt;
+}
+
 std::optional<ConfigValue> value_of(const toml::node& node) {
   if (const auto* v = node.as_boolean()) return ConfigValue(v->get());
   if (const auto* v = node.as_integer()) return ConfigValue(v->get());
   if (const auto* v = node.as_floating_point()) return ConfigValue(v->get());
   if (const auto* v = node.as_string()) return ConfigValue(v->get());
+  if (const auto* v = node.as_array()) return rows_of(*v);
   return std::nullopt;
 }
 
 std::string shown_node(const toml::node& node) {
-  if (const auto value = value_of(node)) return shown(*value);
   if (node.is_table()) return "{...}";
   if (node.is_array()) return "[...]";
+  if (const auto value = value_of(node)) return shown(*value);
   return "a date or time";
 }
 
@@ -134,6 +142,7 @@ void apply(const ConfigOverride& change, ConfigText& result) {
   key.section = printable(text.substr(0, dot));
   key.name = printable(text.substr(dot + 1, equals - dot - 1));
   key.where = origin;
+  key.overrides = true;
   const auto same = [&](const GivenKey& k) {
     return k.section == key.section && k.name == key.name;
   };
@@ -150,9 +159,8 @@ std::string shown(const ConfigValue& value) {
   if (const bool* v = std::get_if<bool>(&value)) return *v ? "true" : "false";
   if (const auto* v = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *v);
   if (const auto* v = std::get_if<std::string>(&value)) return '"' + printable(*v) + '"';
-  std::string text = fmt::format("{}", std::get<double>(value));
-  if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
-  return text;
+  if (const auto* v = std::get_if<std::vector<DarbouxRow>>(&value)) return text_of(*v);
+  return text_of(std::get<double>(value));
 }
 
 ConfigText read_config_text(std::string_view text, const std::string& source,

@@ -17,6 +17,7 @@ struct GivenKey {
   std::optional<ConfigValue> value;  ///< nothing for arrays, tables, dates and times
   std::string shown;                 ///< the value as messages show it
   std::string where;                 ///< "file:line:column", or the origin of an override
+  bool overrides = false;            ///< given in place of the text
 };
 
 struct GivenSection {

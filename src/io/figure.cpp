@@ -246,4 +246,33 @@ void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
        "14cm,10cm", "1200,860");
 }
 
+void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
+              const ShapeFit& fit) {
+  std::string data = "# points: x y z arc distance\n";
+  for (Index i = 0; i < points.count(); ++i) {
+    const Vec3 p = points.position.col(i);
+    data += fmt::format("{} {} {} {} {}\n", p.x(), p.y(), p.z(), fit.arc[i], fit.distance[i]);
+  }
+  data += "\n\n# fitted shape: x y z\n";
+  for (Index i = 0; i < fit.curve.cols(); ++i) {
+    data += fmt::format("{} {} {}\n", fit.curve(0, i), fit.curve(1, i), fit.curve(2, i));
+  }
+  // thousands of points would hide the curve
+  const Index every = std::max<Index>(1, points.count() / 1000);
+  const std::string commands = fmt::format(
+      "set multiplot\n"
+      "set origin 0,0.35\nset size 1,0.65\nset view equal xyz\nset view 60,30,1.2\n"
+      "set xyplane relative 0.05\nset xlabel 'x'\nset ylabel 'y'\nset zlabel 'z'\n"
+      "set xtics offset 0,-0.3 autofreq\nset key top right\n"
+      "splot 'fit.dat' index 0 every {} using 1:2:3 with points pt 7 ps 0.5 lc rgb '#2b5c8a' "
+      "title 'points', '' index 1 using 1:2:3 with lines lw 1.5 lc rgb '#b5342c' title 'fit'\n"
+      "set origin 0,0\nset size 1,0.35\nset xlabel 'arc length'\nset ylabel 'distance'\n"
+      "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
+      "plot 'fit.dat' index 0 every {} using 4:5 with points pt 7 ps 0.4 lc rgb '#2b5c8a' notitle, "
+      "{} with lines dashtype 2 lc rgb '#b5342c' title 'root mean square'\n"
+      "unset multiplot\nreset\n",
+      every, every, fit.residual_rms);
+  draw(folder, "fit", data, commands, "14cm,17cm", "1200,1450");
+}
+
 }  // namespace wirepack

@@ -15,6 +15,7 @@
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/imperfection.hpp"
 #include "wirepack/packing/observation.hpp"
+#include "wirepack/rod/rest_strain.hpp"
 
 namespace wirepack {
 
@@ -34,7 +35,7 @@ constexpr double mesh_share = 0.05;
 // A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
 // its frames drop out of the minimization. Friction holds its surface and twists it.
 bool torsion_free(const Scenario& scenario) {
-  return scenario.nozzle_twist == TwistCondition::free && scenario.wire.rest_darboux.isZero() &&
+  return scenario.nozzle_twist == TwistCondition::free && is_straight(scenario.wire) &&
          scenario.friction.model == FrictionModel::none;
 }
 

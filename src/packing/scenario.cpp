@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "wirepack/observe/packing_density.hpp"
@@ -33,8 +34,59 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
   return scenario;
 }
 
+namespace {
+
+// The most wire that a run can insert.
+double longest_wire(const Scenario& scenario) {
+  const StopLimits& stop = scenario.stop;
+  double length = std::numeric_limits<double>::infinity();
+  if (stop.length) length = *stop.length;
+  if (stop.density) {
+    length =
+        std::min(length, length_at_density(*stop.density, scenario.cavity, scenario.wire.radius));
+  }
+  if (stop.increments) {
+    length =
+        std::min(length, 2 * scenario.wire.edge_length +
+                             static_cast<double>(*stop.increments) * scenario.insertion.increment);
+  }
+  return length;
+}
+
+void check_reference_shape(const Scenario& scenario, std::vector<std::string>& found) {
+  const ReferenceShape& shape = scenario.wire.reference_shape;
+  if (shape.empty()) return;
+  double sharpest = 0;
+  for (const DarbouxRow& row : shape.table.rows()) {
+    sharpest = std::max(sharpest, row.darboux.norm());
+  }
+  std::ostringstream text;
+  if (!(scenario.wire.edge_length * sharpest <= 1)) {
+    text << "wire.edge_length = " << scenario.wire.edge_length << ": must be at most "
+         << 1 / sharpest << ", as wire.reference_shape turns by a radian over that";
+    found.push_back(text.str());
+  }
+  // lengths are sums of increments: round-off is allowed
+  const double length = longest_wire(scenario);
+  if (shape.beyond == BeyondShape::error && !(length <= shape.table.length() * (1 + 1e-9))) {
+    text.str("");
+    text << "wire.reference_shape_beyond = error: the shape is " << shape.table.length()
+         << " long and the run may insert ";
+    if (std::isfinite(length)) {
+      text << length;
+    } else {
+      text << "any length";
+    }
+    text << "; must be repeat or extend, or stop.length at most that of the shape";
+    found.push_back(text.str());
+  }
+}
+
+}  // namespace
+
 std::vector<std::string> problems(const Scenario& scenario) {
   std::vector<std::string> found = problems(scenario.wire);
+  check_reference_shape(scenario, found);
   for (const std::string& problem : problems(scenario.friction)) found.push_back(problem);
   const auto require = [&](bool ok, const char* key, double value, const std::string& allowed) {
     if (ok) return;

@@ -63,10 +63,6 @@ class BadInput(ProgramTest):
         self.refuse_config("[cavity]\nexcluded_arc_length = 5", "did you mean contact.excluded")
         self.refuse_config("[cavity]\nqqqqqqqq = 5", "[cavity] has shape, radius, wall_stiffness")
 
-    def test_what_this_version_does_not_have(self):
-        not_here = "is not in this version"
-        self.refuse_config('[wire]\nreference_shape = "shape.toml"', not_here)
-
     def test_friction_and_dynamics_that_cannot_be(self):
         dynamic = '[packing]\nmethod = "dynamic"\n'
         for text, allowed in [

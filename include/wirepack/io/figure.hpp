@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "wirepack/fit/measured_points.hpp"
+#include "wirepack/fit/shape_fit.hpp"
 #include "wirepack/packing/history.hpp"
 #include "wirepack/packing/packing_frame.hpp"
 #include "wirepack/packing/scenario.hpp"
@@ -30,5 +32,9 @@ void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun
 
 /// energy: E_bend R / YI and E_twist R / YI against the packing density, with the same model.
 void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+
+/// fit: measured points with the fitted shape, and the distances of the points along it.
+void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
+              const ShapeFit& fit);
 
 }  // namespace wirepack

@@ -1,0 +1,216 @@
+"""wirepack fit: shapes from points, bad points, and runs that use a shape."""
+
+import json
+import math
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import h5py
+
+from support import ProgramTest, differing
+
+DATA = Path(__file__).resolve().parents[2] / "data"
+
+SHAPED_RUN = """
+[wire]
+reference_shape = "shapes/helix.toml"
+reference_shape_beyond = "extend"
+[cavity]
+radius = 5
+[stop]
+increments = 40
+[output]
+checkpoint_every_seconds = 0
+"""
+
+
+class Fit(ProgramTest):
+    def fit(self, points, model, *more, code=0):
+        returned, out, err = self.run_program("fit", points, "--model", model, "-o", "shape.toml", *more)
+        self.assertEqual(returned, code, err)
+        return out, err
+
+    def helix_text(self, sign=1):
+        lines = ["# a comment", "x,y,z"]
+        for i in range(60):
+            a = 0.2 * i
+            lines.append(f"{2 * math.cos(a)},{2 * math.sin(a)},{sign * 0.5 * a}")
+        return "\n".join(lines) + "\n"
+
+    def refuse(self, text, *parts, model="circle", more=()):
+        self.write("points.csv", text)
+        before = self.names()
+        out, err = self.fit("points.csv", model, *more, code=2)
+        self.assertEqual(out, "")
+        self.assertEqual(len(err.splitlines()), 1, err)
+        for part in parts:
+            self.assertIn(part, err)
+        self.assertEqual(self.names(), before)
+
+    def test_json_has_the_parameters_with_their_errors(self):
+        for name, expected in {
+            "circle": {"radius": 20, "curvature": 1 / 20},
+            "helix": {"radius": 3, "pitch": 4},
+        }.items():
+            out, _ = self.fit(DATA / "shapes" / (name + ".csv"), name, "--json")
+            result = json.loads(out)
+            self.assertEqual(result["model"], name)
+            self.assertEqual(set(result["parameters"]), {"curvature", "torsion", "radius", "pitch"})
+            for key, value in expected.items():
+                found = result["parameters"][key]
+                self.assertGreater(found["standard_error"], 0)
+                self.assertLess(abs(found["value"] - value), 4 * found["standard_error"])
+            self.assertIn("residual_rms", result)
+            self.assertGreater(result["length"], 0)
+        self.assertEqual(result["points"], 300)
+        out, _ = self.fit(DATA / "shapes" / "coil.csv", "spline", "--json", "--ordered")
+        result = json.loads(out)
+        self.assertEqual(set(result["parameters"]), {"curvature", "torsion"})
+        self.assertLess(abs(result["length"] - 120), 0.3)
+
+    def test_the_samples_are_what_their_script_makes(self):
+        shutil.copy(DATA / "shapes" / "make.py", self.folder)
+        subprocess.run([sys.executable, "-B", "make.py"], cwd=self.folder, check=True)
+        for name in ("circle.csv", "helix.csv", "coil.csv"):
+            made = (self.folder / name).read_text()
+            self.assertEqual(made, (DATA / "shapes" / name).read_text())
+
+    def test_the_table_and_the_shape_agree_for_either_hand(self):
+        for sign in (1, -1):
+            self.write("points.csv", self.helix_text(sign))
+            out, _ = self.fit("points.csv", "helix", "--ordered")
+            self.assertIn("pitch", out)
+            row = (self.folder / "shape.toml").read_text().split("k0 = [\n  [")[1].split("]")[0]
+            _, k1, k2, k3 = map(float, row.split(","))
+            self.assertAlmostEqual(k1, 0, 12)
+            self.assertAlmostEqual(k2, 2 / 4.25, 9)
+            self.assertAlmostEqual(k3, sign * 0.5 / 4.25, 9)
+
+    def test_points_that_are_wrong_are_refused_with_their_line(self):
+        good = self.helix_text()
+        for bad, parts in {
+            "1,2,x": ("points.csv:63", "column 3 (z) = x: must be a number"),
+            "1,2,nan": ("points.csv:63", "column 3 (z) = nan: must be finite"),
+            "1,,2": ("points.csv:63", "column 2 (y)"),
+            "1,2": ("points.csv:63", "has 2 columns where the lines before have 3"),
+            "1,2,3,4": ("points.csv:63", "has 4 columns where the lines before have 3"),
+        }.items():
+            with self.subTest(bad):
+                self.refuse(good + bad + "\n", *parts)
+        self.refuse("1,2,3\n4,5,6\n", "2 points", "at least 4")
+        self.refuse("1,2,3\n" * 20, "1 of them different")
+        self.refuse("1,2,zero\n", "column 3", "zero")
+        self.refuse("x,y,w\n1,2,3\n", "'w'")
+        self.refuse("x,y\n1,2\n", "names no column z")
+        self.refuse("", "holds no points")
+        self.refuse("1,2\n3,4\n", "has 2 columns; must be x, y, z")
+        self.refuse("1,2,3,0,0\n", "column 5 (sigma) = 0: must be positive")
+        self.refuse(b"\x89HDF\x00", "is not a text file")
+        self.refuse(good, "--intervals is for --model spline", more=("--intervals", "3"))
+
+    def test_a_closed_loop_and_a_straight_line_have_a_clear_answer(self):
+        loop = "\n".join(
+            f"{5 * math.cos(2 * math.pi * i / 90)} {5 * math.sin(2 * math.pi * i / 90)} 0" for i in range(90)
+        )
+        self.write("loop.txt", loop)
+        out, err = self.fit("loop.txt", "circle", "--json")
+        self.assertIn("close a circle", err)
+        self.assertAlmostEqual(json.loads(out)["length"], 10 * math.pi, 6)
+        line = "\n".join(f"{i},{2 * i},{-i}" for i in range(30))
+        self.write("line.csv", line)
+        for model in ("circle", "helix", "spline"):
+            out, err = self.fit("line.csv", model, "--json", "--ordered")
+            self.assertIn("do not tell", err)
+            self.assertAlmostEqual(json.loads(out)["length"], 29 * math.sqrt(6), 6)
+            if model != "spline":
+                self.assertIsNone(json.loads(out)["parameters"]["radius"]["value"])
+
+    def test_the_figure_holds_points_shape_and_residuals(self):
+        self.fit(DATA / "shapes" / "coil.csv", "spline", "--figures", "figures")
+        folder = self.folder / "figures"
+        for ending, start in ((".png", b"\x89PNG"), (".pdf", b"%PDF"), (".svg", b"<?xml")):
+            data = (folder / ("fit" + ending)).read_bytes()
+            self.assertEqual(data[: len(start)], start)
+            self.assertGreater(len(data), 4000)
+        blocks = (folder / "fit.dat").read_text().split("\n\n\n")
+        self.assertEqual(len(blocks[0].splitlines()), 401)
+
+    def make_shape(self):
+        (self.folder / "shapes").mkdir(exist_ok=True)
+        self.write("points.csv", self.helix_text())
+        self.fit("points.csv", "helix")
+        shutil.move(self.folder / "shape.toml", self.folder / "shapes" / "helix.toml")
+
+    def test_a_run_uses_the_shape_and_keeps_it(self):
+        self.make_shape()
+        (self.folder / "runs").mkdir()
+        self.write("run.toml", SHAPED_RUN)
+        self.write("runs/run.toml", SHAPED_RUN.replace("shapes/", "../shapes/"))
+        for config, out in (("run.toml", "a.h5"), ("runs/run.toml", "b.h5")):
+            code, _, err = self.run_program("run", config, "-o", out)
+            self.assertEqual(code, 0, err)
+        self.assertEqual(differing(self.folder / "a.h5", self.folder / "b.h5"), [])
+        with h5py.File(self.folder / "a.h5") as file:
+            config = file.attrs["config"]
+            config = config.decode() if isinstance(config, bytes) else config
+            self.assertIn("reference_shape = [\n  [0.0, ", config)
+            self.assertNotIn("precurvature", config)
+        # what the file keeps is a configuration of its own
+        self.write("kept.toml", config)
+        shutil.rmtree(self.folder / "shapes")
+        code, _, err = self.run_program("run", "kept.toml", "-o", "c.h5")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(differing(self.folder / "a.h5", self.folder / "c.h5"), [])
+
+    def test_a_run_is_not_continued_with_another_shape(self):
+        self.make_shape()
+        self.write("run.toml", SHAPED_RUN)
+        self.assertEqual(self.run_program("run", "run.toml", "-o", "a.h5")[0], 0)
+        shape = self.folder / "shapes" / "helix.toml"
+        text = shape.read_text()
+        shape.write_text(text.replace("k0 = [\n  [0.0, 0.0, 0.4", "k0 = [\n  [0.0, 0.0, 0.5"))
+        self.assertNotEqual(text, shape.read_text())
+        more = ("--set", "stop.increments=50", "--resume")
+        code, _, err = self.run_program("run", "run.toml", "-o", "a.h5", *more)
+        self.assertEqual(code, 2)
+        self.assertIn("wire.reference_shape: is another one than it was", err)
+        shape.write_text(text)
+        self.assertEqual(self.run_program("run", "run.toml", "-o", "a.h5", *more)[0], 0)
+
+    def test_shapes_that_cannot_be_used_are_refused(self):
+        self.make_shape()
+        self.write("no_table.toml", "[shape]\nlength = 3\n")
+        self.write("short.toml", "[shape]\nk0 = [[0, 0, 1, 0]]\n")
+        self.write("text.toml", "[shape]\nk0 = [[0, 0, 1, 'a'], [1, 0, 1, 0]]\n")
+        start = "[wire]\nreference_shape = "
+        good = start + '"shapes/helix.toml"\n'
+        for text, part in {
+            start + '"none.toml"': "run.toml:2:1: wire.reference_shape = \"none.toml\": none.toml: there is no such file",
+            start + '"no_table.toml"': "has no `k0",
+            start + '"short.toml"': "short.toml:2:6: k0 needs two rows",
+            start + '"text.toml"': "must be rows [s, k1, k2, k3]",
+            start + "5": "must be the name of a shape file, or rows",
+            start + "[[0, 0, 1]]": "must be the name of a shape file, or rows",
+            good + "precurvature = 0.1": "wire.precurvature = 0.1: wire.reference_shape is given, too",
+            good: "the run may insert any length",
+            good + "[stop]\nlength = 40": "the run may insert 40",
+            good + "reference_shape_beyond = 'end'": 'must be "error" or "repeat" or "extend"',
+            good + "reference_shape_beyond = 'extend'\nedge_length = 2.2\n[cavity]\nradius = 10":
+                "wire.edge_length = 2.2: must be at most",
+            "[wire]\nreference_shape_beyond = 'extend'": "which is not given",
+        }.items():
+            with self.subTest(text):
+                self.write("run.toml", text)
+                code, _, err = self.run_program("run", "run.toml", "--dry-run")
+                self.assertEqual(code, 2, err)
+                self.assertEqual(len(err.splitlines()), 1, err)
+                self.assertIn(part, err)
+        self.write("run.toml", good + "[stop]\nlength = 20\n")
+        self.assertEqual(self.run_program("run", "run.toml", "--dry-run")[0], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
