@@ -27,8 +27,8 @@ constexpr double smallest_substep = 1.0 / 64;
 // then is a snap.
 constexpr double resolved_share = 0.02;
 constexpr double resolving_substep = 1.0 / 8;
-// Whole edges always read the force at the same phase of the mesh, where it is steadily too low, by up
-// to this on coarse meshes (l = R / 5); halving them would not change that.
+// Whole edges always read the force at the same phase of the mesh, where it is steadily off, by up to
+// this on coarse meshes (l = R / 5). What they miss changes slowly; a jump shows against the edge before.
 constexpr double mesh_share = 0.05;
 
 // What settles by itself when the wire has slid along itself, and how well, over the tolerance of
@@ -256,6 +256,7 @@ std::optional<StopReason> QuasistaticPacking::advance() {
       return reached_limit(scenario_, progress_.last);
     }
     if (progress_.substep <= smallest_substep) return result.failure;
+    if (result.missed_by_edge) progress_.missed_by_edge = *result.missed_by_edge;
     progress_.substep /= 2;
     if (result.failure) ++progress_.rollbacks;
   }
@@ -317,8 +318,12 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   next.balance.work += work;
   const double scale =
       fed * std::max({std::abs(row.force), std::abs(force_before), model_->force_unit});
-  result.unresolved =
-      missing > resolved_share * scale || missing < -(slides ? mesh_share : resolved_share) * scale;
+  const double share = missing / scale;
+  result.unresolved = std::abs(share) > (slides ? mesh_share : resolved_share);
+  if (slides) {
+    result.unresolved |= share > next.missed_by_edge + resolved_share;
+    result.missed_by_edge = next.missed_by_edge = std::clamp(share, -mesh_share, mesh_share);
+  }
   if (result.unresolved && missing > 0) {
     row.snap_energy = missing;
     next.balance.released += missing;
