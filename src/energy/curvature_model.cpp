@@ -9,7 +9,9 @@
 namespace wirepack {
 
 CurvatureModel::CurvatureModel(const FrameChart& chart)
-    : chart_(&chart), columns_(static_cast<std::size_t>(chart.block_count())) {
+    : chart_(&chart),
+      places_(static_cast<std::size_t>(band * chart.block_count()), {-1, -1}),
+      blocks_(places_.size(), Eigen::Matrix4d::Zero()) {
   const RodState& state = chart.reference();
   tangents_.resize(3, static_cast<Index>(state.frames.size()));
   inverse_lengths_.resize(state.edge_count());
@@ -19,15 +21,26 @@ CurvatureModel::CurvatureModel(const FrameChart& chart)
   for (Index j = 0; j < state.edge_count(); ++j) {
     inverse_lengths_[j] = 1 / (state.nodes.col(next_node(state, j)) - state.nodes.col(j)).norm();
   }
+  // the diagonal is always there, for the shift
+  for (Index c = 0; c < chart.block_count(); ++c) block(c, c);
 }
 
 Eigen::Matrix4d& CurvatureModel::block(Index row, Index column) {
-  auto& blocks = columns_[static_cast<std::size_t>(column)];
-  for (Block& b : blocks) {
-    if (b.row == row) return b.value;
+  const auto at = [this](Index k) -> Place& { return places_[static_cast<std::size_t>(k)]; };
+  const Index offset = row - column;
+  if (offset < band) {
+    const Index k = band * column + offset;
+    at(k).row = row;
+    return blocks_[static_cast<std::size_t>(k)];
   }
-  blocks.push_back({row, Eigen::Matrix4d::Zero()});
-  return blocks.back().value;
+  Index last = band * column + band - 1;
+  while (at(last).next >= 0) {
+    last = at(last).next;
+    if (at(last).row == row) return blocks_[static_cast<std::size_t>(last)];
+  }
+  at(last).next = static_cast<Index>(places_.size());
+  places_.push_back({row, -1});
+  return blocks_.emplace_back(Eigen::Matrix4d::Zero());
 }
 
 void CurvatureModel::add_square(double weight, std::span<const NodePart> nodes,
@@ -73,38 +86,57 @@ void CurvatureModel::add_node_block(Index node, const Mat3& value) {
 
 Eigen::SparseMatrix<double> CurvatureModel::lower_triangle(double shift) const {
   using Sparse = Eigen::SparseMatrix<double>;
-  std::vector<Sparse::StorageIndex> starts, rows;
-  std::vector<double> values;
-  std::vector<const Block*> sorted;
+  using Number = Sparse::StorageIndex;
+  Sparse lower(chart_->size(), chart_->size());
+  lower.resizeNonZeros(16 * static_cast<Index>(blocks_.size()));
+  Number* const start = lower.outerIndexPtr();
+  Number* const row_of = lower.innerIndexPtr();
+  double* const value_of = lower.valuePtr();
+  Number count = 0;
+
+  struct RowBlock {
+    Index row;
+    std::array<Index, 4> unknown;
+    const Eigen::Matrix4d* value;
+  };
+  std::vector<RowBlock> rows;
   // Blocks and slots in growing order are unknowns in growing order, so columns come out complete.
   for (Index c = 0; c < chart_->block_count(); ++c) {
-    sorted.clear();
-    for (const Block& b : columns_[static_cast<std::size_t>(c)]) sorted.push_back(&b);
-    std::sort(sorted.begin(), sorted.end(),
-              [](const Block* p, const Block* q) { return p->row < q->row; });
+    rows.clear();
+    const auto take = [&](Index k) {
+      const Index row = places_[static_cast<std::size_t>(k)].row;
+      if (row < 0) return;
+      std::array<Index, 4> unknown;
+      for (int i = 0; i < 4; ++i) unknown[static_cast<std::size_t>(i)] = chart_->unknown(row, i);
+      rows.push_back({row, unknown, &blocks_[static_cast<std::size_t>(k)]});
+    };
+    for (Index k = 0; k < band; ++k) take(band * c + k);
+    const auto chained = static_cast<std::ptrdiff_t>(rows.size());
+    for (Index k = places_[static_cast<std::size_t>(band * c + band - 1)].next; k >= 0;
+         k = places_[static_cast<std::size_t>(k)].next) {
+      take(k);
+    }
+    std::sort(rows.begin() + chained, rows.end(),
+              [](const RowBlock& p, const RowBlock& q) { return p.row < q.row; });
     for (int j = 0; j < 4; ++j) {
       const Index column = chart_->unknown(c, j);
       if (column < 0) continue;
-      starts.push_back(static_cast<Sparse::StorageIndex>(rows.size()));
-      bool has_diagonal = false;
-      for (const Block* b : sorted) {
-        for (int i = b->row == c ? j : 0; i < 4; ++i) {
-          const Index row = chart_->unknown(b->row, i);
+      start[column] = count;
+      for (const RowBlock& b : rows) {
+        for (int i = b.row == c ? j : 0; i < 4; ++i) {
+          const Index row = b.unknown[static_cast<std::size_t>(i)];
           if (row < 0) continue;
-          has_diagonal |= row == column;
-          rows.push_back(static_cast<Sparse::StorageIndex>(row));
-          values.push_back(row == column ? b->value(i, j) + shift : b->value(i, j));
+          row_of[count] = static_cast<Number>(row);
+          value_of[count] = (*b.value)(i, j);
+          ++count;
         }
       }
-      if (!has_diagonal) {  // nothing acts on this unknown: the shift alone, in front of its column
-        rows.insert(rows.begin() + starts.back(), static_cast<Sparse::StorageIndex>(column));
-        values.insert(values.begin() + starts.back(), shift);
-      }
+      value_of[start[column]] += shift;
     }
   }
-  starts.push_back(static_cast<Sparse::StorageIndex>(rows.size()));
-  return Eigen::Map<const Sparse>(chart_->size(), chart_->size(), static_cast<Index>(rows.size()),
-                                  starts.data(), rows.data(), values.data());
+  start[chart_->size()] = count;
+  lower.resizeNonZeros(count);
+  return lower;
 }
 
 }  // namespace wirepack

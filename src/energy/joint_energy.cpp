@@ -142,6 +142,7 @@ void JointEnergy::add_curvature(const RodState& state, CurvatureModel& model) co
     const JointStrain strain =
         joint_strain_derivative(before, frame(state, joint.after), guide(state, joint.node));
     for (int k = 0; k < 3; ++k) {
+      if (stiffness_[k] == 0) continue;
       const Vec3 by_spin = before * Vec3(strain.by_spin.row(k));
       const std::array<CurvatureModel::FramePart, 2> parts{
           {{joint.after, by_spin}, {joint.before, -by_spin}}};

@@ -28,9 +28,15 @@ constexpr double smallest_substep = 1.0 / 64;
 // then is a snap.
 constexpr double resolved_share = 0.02;
 constexpr double resolving_substep = 1.0 / 8;
-// Whole edges always read the force at the same phase of the mesh, where it is steadily too low, by up
-// to this on coarse meshes (l = R / 5); halving them would not change that.
+// Whole edges always read the force at the same phase of the mesh, where it is steadily off, by up to
+// this on coarse meshes (l = R / 5). What they miss changes slowly; a jump shows against the edge before.
 constexpr double mesh_share = 0.05;
+
+// What settles by itself when the wire has slid along itself, and how well, over the tolerance of
+// rest: a few nodes are quick, and all else is at rest already.
+constexpr Index tip_nodes = 5;
+constexpr double settled_tolerance = 100;
+constexpr int settling_evaluations = 60;
 
 // A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
 // its frames drop out of the minimization. Friction holds its surface and twists it.
@@ -96,18 +102,13 @@ struct QuasistaticPacking::Model {
 
 namespace {
 
-EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& model, RodState& rod) {
-  HeldUnknowns held = held_by(model.nozzle, rod);
+EquilibriumReport solve(const Scenario& scenario, QuasistaticPacking::Model& model, RodState& rod,
+                        HeldUnknowns held, const EquilibriumOptions& options) {
+  EquilibriumReport report;
   if (torsion_free(scenario)) {
     held.angle.assign(held.angle.size(), true);
     held.frames_follow = false;
   }
-  EquilibriumReport report;
-  // A coil turns about the centre almost for free; a wire that is shorter has little to turn.
-  const double radius = scenario.cavity.radius;
-  const bool coiled = total_rest_length(rod, scenario.wire) > 2 * pi * radius;
-  EquilibriumOptions options = model.options;
-  options.turning_taper = coiled ? radius : 0;
   if (scenario.contact_enabled) {
     TotalEnergy energy(model.stretch, model.joints, model.wall, model.contact, model.friction);
     report = solve_equilibrium(rod, held, functions_of(energy), options);
@@ -117,6 +118,28 @@ EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& mod
   }
   if (torsion_free(scenario)) remove_twist(rod);
   return report;
+}
+
+EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& model, RodState& rod) {
+  // A coil turns about the centre almost for free; a wire that is shorter has little to turn.
+  const double radius = scenario.cavity.radius;
+  const bool coiled = total_rest_length(rod, scenario.wire) > 2 * pi * radius;
+  EquilibriumOptions options = model.options;
+  options.turning_taper = coiled ? radius : 0;
+  return solve(scenario, model, rod, held_by(model.nozzle, rod), options);
+}
+
+// A tip that has been pushed on may stick in the wall or in a strand, with more energy than the whole
+// wire has. It gives way alone, before that throws all of the wire about.
+SolverWork settle_tip(const Scenario& scenario, QuasistaticPacking::Model& model, RodState& rod) {
+  HeldUnknowns held = held_by(model.nozzle, rod);
+  for (Index i = tip_nodes; i < rod.node_count(); ++i) held.hold_node(i);
+  for (std::size_t j = tip_nodes; j < held.angle.size(); ++j) held.angle[j] = true;
+  EquilibriumOptions options = model.options;
+  options.force_tolerance *= settled_tolerance;
+  options.moment_tolerance *= settled_tolerance;
+  options.method.max_evaluations = std::min(options.method.max_evaluations, settling_evaluations);
+  return solve(scenario, model, rod, held, options).work;
 }
 
 // Friction looks back to this state until the next one is at rest.
@@ -234,6 +257,7 @@ std::optional<StopReason> QuasistaticPacking::advance() {
       return reached_limit(scenario_, progress_.last);
     }
     if (progress_.substep <= smallest_substep) return result.failure;
+    if (result.missed_by_edge) progress_.missed_by_edge = *result.missed_by_edge;
     progress_.substep /= 2;
     if (result.failure) ++progress_.rollbacks;
   }
@@ -274,6 +298,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   perturb(scenario_, rod, next.random_state);
   if (slides) {
     slide_one_edge(rod, scenario_.wire);
+    if (rod.node_count() > 2 * tip_nodes) result.work += settle_tip(scenario_, *model_, rod);
   } else {
     insert(rod, fed);
   }
@@ -294,8 +319,12 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   next.balance.work += work;
   const double scale =
       fed * std::max({std::abs(row.force), std::abs(force_before), model_->force_unit});
-  result.unresolved =
-      missing > resolved_share * scale || missing < -(slides ? mesh_share : resolved_share) * scale;
+  const double share = missing / scale;
+  result.unresolved = std::abs(share) > (slides ? mesh_share : resolved_share);
+  if (slides) {
+    result.unresolved |= share > next.missed_by_edge + resolved_share;
+    result.missed_by_edge = next.missed_by_edge = std::clamp(share, -mesh_share, mesh_share);
+  }
   if (result.unresolved && missing > 0) {
     row.snap_energy = missing;
     next.balance.released += missing;

@@ -3,11 +3,13 @@
 
     table.py RESULT.json...
 
-A ratio is reference / measured: above 1 wirepack is faster, or needs less.
+A ratio is reference / measured: above 1 wirepack is faster, or needs less. What an edge of wire costs
+(edge_cost) is a table of its own, with the power of the number of nodes that fits it.
 """
 
 import csv
 import json
+import math
 import re
 import sys
 from pathlib import Path
@@ -20,7 +22,7 @@ STANDARD = {
     "aggregate_name", "aggregate_unit", "error_occurred", "error_message",
 }  # fmt: skip
 # How a benchmark was run, which Google Benchmark adds to its name.
-NAME_SUFFIX = re.compile(r"(/(iterations:\d+|process_time))+$")
+NAME_SUFFIX = re.compile(r"(/(iterations:\d+|process_time|manual_time))+$")
 # Values that are checked, not competed in.
 CHECKED = {"energy", "middle_height"}
 
@@ -36,7 +38,8 @@ def read_results(path):
             results[name] = {"error": entry["error_message"]}
             continue
         measures = {k: v for k, v in entry.items() if k not in STANDARD}
-        measures["seconds"] = entry["cpu_time"] * SECONDS[entry["time_unit"]]
+        manual = entry["run_name"].endswith("/manual_time")
+        measures["seconds"] = entry["real_time" if manual else "cpu_time"] * SECONDS[entry["time_unit"]]
         measures["label"] = entry.get("label", "")
         results[name] = measures
     return results
@@ -80,31 +83,76 @@ def compared(row, measures):
     return f"{text} (**{readable_ratio(value / measured)}**)"
 
 
+EDGE_COST = re.compile(r"edge_cost/radius:(\d+)/phi_permille:(\d+)$")
+
+
+def fitted_power(points):
+    """Least squares slope of log y by log x."""
+    logs = [(math.log(x), math.log(y)) for x, y in points]
+    middle_x = sum(x for x, _ in logs) / len(logs)
+    middle_y = sum(y for _, y in logs) / len(logs)
+    return sum((x - middle_x) * (y - middle_y) for x, y in logs) / sum(
+        (x - middle_x) ** 2 for x, _ in logs
+    )
+
+
+def print_edge_costs(costs):
+    """costs: (radius, density, measures) in the order they were measured."""
+    print("| R/a | phi | nodes | increments | evaluations | factorizations | CPU time |")
+    print("|---|---|---|---|---|---|---|")
+    points = {}
+    for radius, density, m in costs:
+        points.setdefault(radius, []).append((m["nodes"], m["ms_per_edge"]))
+        print(
+            f"| {radius} | {density:g} | {m['nodes']:.0f} | {m['increments_per_edge']:.2f} "
+            f"| {m['evaluations_per_edge']:.0f} | {m['factorizations_per_edge']:.1f} "
+            f"| {m['ms_per_edge']:.3g} ms |"
+        )
+    powers = [
+        f"{fitted_power(of_radius):.2f} at R = {radius}"
+        for radius, of_radius in points.items()
+        if len(of_radius) > 1
+    ]
+    print()
+    if powers:
+        print("Per edge of wire fed. CPU time grows with this power of the nodes: " + ", ".join(powers))
+        print()
+
+
 def main(paths):
     if not paths:
         print(__doc__.strip(), file=sys.stderr)
         return 2
     references = read_references()
+    results = {name: m for path in paths for name, m in read_results(path).items()}
+    costs = [
+        (int(found[1]), int(found[2]) / 1000, results.pop(name))
+        for name in list(results)
+        if (found := EDGE_COST.fullmatch(name)) and "error" not in results[name]
+    ]
+    if costs:
+        print_edge_costs(costs)
+    if not results:
+        return 0
     print("| benchmark | CPU time | measures | compared with |")
     print("|---|---|---|---|")
     sources = {}
-    for path in paths:
-        for name, measures in read_results(path).items():
-            if "error" in measures:
-                print(f"| {name} | - | {measures['error']} | |")
-                continue
-            others = [
-                f"{key.replace('_', ' ')} {readable(key, value)}"
-                for key, value in sorted(measures.items())
-                if key not in ("seconds", "label")
-            ]
-            rows = [compared(row, measures) for row in references.get(name, [])]
-            for row in references.get(name, []):
-                sources[row["what"], row["source"]] = None
-            print(
-                f"| {name} | {readable_seconds(measures['seconds'])} | {', '.join(others)} "
-                f"| {', '.join(rows)} |"
-            )
+    for name, measures in results.items():
+        if "error" in measures:
+            print(f"| {name} | - | {measures['error']} | |")
+            continue
+        others = [
+            f"{key.replace('_', ' ')} {readable(key, value)}"
+            for key, value in sorted(measures.items())
+            if key not in ("seconds", "label")
+        ]
+        rows = [compared(row, measures) for row in references.get(name, [])]
+        for row in references.get(name, []):
+            sources[row["what"], row["source"]] = None
+        print(
+            f"| {name} | {readable_seconds(measures['seconds'])} | {', '.join(others)} "
+            f"| {', '.join(rows)} |"
+        )
     print()
     print("Compared with, on the machine of the prototype:")
     for what, source in sources:

@@ -35,16 +35,20 @@ class CurvatureModel {
   Eigen::SparseMatrix<double> lower_triangle(double shift) const;
 
  private:
-  struct Block {
-    Index row;
-    Eigen::Matrix4d value;
+  // A block of four slots by four of the lower triangle is found by its column: the first three, which
+  // the wire itself couples, have fixed places; others, of contacts, are chained from the third.
+  static constexpr Index band = 3;
+  struct Place {
+    Index row;  // -1: not used
+    Index next;
   };
   Eigen::Matrix4d& block(Index row, Index column);
 
   const FrameChart* chart_;
-  Points tangents_;                          // of every frame, at the reference
-  Eigen::VectorXd inverse_lengths_;          // of every edge
-  std::vector<std::vector<Block>> columns_;  // lower triangle, by blocks of four slots
+  Points tangents_;                  // of every frame, at the reference
+  Eigen::VectorXd inverse_lengths_;  // of every edge
+  std::vector<Place> places_;
+  std::vector<Eigen::Matrix4d> blocks_;
 };
 
 }  // namespace wirepack

@@ -53,6 +53,8 @@ struct PackingProgress {
   std::uint64_t random_state = 0;       ///< of the perturbations
   std::vector<SlipMemory> slip_memory;  ///< of the contacts with friction
   double substep = 1;                   ///< part of an increment that is taken at a time, 2^-k
+  /// Share of the last whole edge's work that its energy does not show; the mesh at the inlet keeps it.
+  double missed_by_edge = 0;
   double last_frame_density = -1;
   std::vector<ForceCrossing> scaled_crossings;    ///< of F R^2 / YI
   std::vector<ForceCrossing> absolute_crossings;  ///< of F / (Y a^2)

@@ -39,6 +39,7 @@ class QuasistaticPacking {
   struct StepResult {
     std::optional<StopReason> failure;
     bool unresolved = false;  ///< force and energy disagree over the step: a jump or a kink
+    std::optional<double> missed_by_edge;  ///< of PackingProgress; of increments of a whole edge
     SolverWork work;
   };
   /// Takes `next`, a copy of the progress, one step further; on failure the copy is useless.
