@@ -6,7 +6,7 @@ namespace wirepack {
 
 /// Values of [dynamics], given or chosen by the program.
 struct DynamicsValues {
-  double damping;            ///< g; c a / (4 R^2) by default, with the speed of sound c = sqrt(Y / rho)
+  double damping;  ///< g; c a / (4 R^2) by default, with the speed of sound c = sqrt(Y / rho)
   double insertion_speed;    ///< c a / (40 R) by default: R / 40 while a bending wave crosses the
                              ///< cavity, which takes about R^2 / (c a)
   double time_step;          ///< 0.2 over the highest frequency by default
