@@ -27,6 +27,7 @@ struct Command {
 Command run_command(CLI::App& program, const std::string& command_line);
 Command verify_command(CLI::App& program);
 Command figures_command(CLI::App& program);
+Command compare_command(CLI::App& program, const std::string& command_line);
 Command analyze_command(CLI::App& program);
 Command fit_command(CLI::App& program, const std::string& command_line);
 

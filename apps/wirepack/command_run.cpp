@@ -77,7 +77,7 @@ int exit_code(const RunResult& result) {
 int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
            const RunTotals& before, const RunOptions& options) {
   catch_stop_signals();
-  const RunResult result = record_run(packing, recorder, scenario, before);
+  const RunResult result = record_run(packing, recorder, scenario, before, stdout);
   const PackingProgress& progress = packing.progress();
   std::fputs(summary(result, progress, scenario).c_str(), stdout);
   std::fflush(stdout);

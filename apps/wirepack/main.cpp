@@ -99,6 +99,7 @@ int run_program(int count, char** arguments) {
       "            5 file error, 75 stopped on a signal with everything saved");
   const std::vector<Command> commands{run_command(program, shell_text(count, arguments)),
                                       verify_command(program), figures_command(program),
+                                      compare_command(program, shell_text(count, arguments)),
                                       analyze_command(program),
                                       fit_command(program, shell_text(count, arguments))};
   try {

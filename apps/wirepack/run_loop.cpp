@@ -80,7 +80,7 @@ void RunTotals::add(const HistoryRow& row) {
 }
 
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
-                     const RunTotals& before) {
+                     const RunTotals& before, std::FILE* table_file) {
   RunResult result{std::nullopt, before};
   const Clock::time_point start = Clock::now();
   const HistoryTable table(scenario);
@@ -94,7 +94,7 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
     recorder.add(packing.take_frame());
   };
 
-  std::fputs(table.header().c_str(), stdout);
+  if (table_file != nullptr) std::fputs(table.header().c_str(), table_file);
   PackingProgress good = packing.progress();
   try {
     while (!result.stop && !stop_was_requested()) {
@@ -107,8 +107,10 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
         recorder.add(row);
         result.totals.add(row);
         progress_line.clear();
-        std::fputs(table.line(row, progress).c_str(), stdout);
-        std::fflush(stdout);
+        if (table_file != nullptr) {
+          std::fputs(table.line(row, progress).c_str(), table_file);
+          std::fflush(table_file);
+        }
         progress_line.show(row, seconds_since(start));
       }
       bool flush_is_due = seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -22,12 +23,12 @@ struct RunResult {
   RunTotals totals;
 };
 
-/// Runs until a limit or a stop signal: prints the table to stdout and progress to stderr (on a
+/// Runs until a limit or a stop signal: prints the table, if one is wanted, and progress to stderr (on a
 /// terminal), and brings everything to the file at the start, with every frame, every
 /// output.checkpoint_every_seconds, and at the end. Throws NumericalFailure, with all increments
 /// before it saved, and FileError.
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
-                     const RunTotals& before);
+                     const RunTotals& before, std::FILE* table);
 
 /// The result in numbers, as lines that start with '#'.
 std::string summary(const RunResult& result, const PackingProgress& progress,

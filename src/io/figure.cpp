@@ -275,4 +275,41 @@ void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
   draw(folder, "fit", data, commands, "14cm,17cm", "1200,1450");
 }
 
+void draw_curves(const std::filesystem::path& folder, const std::string& name,
+                 const std::string& quantity, const std::vector<Curve>& curves) {
+  std::string data, commands;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const Curve& curve = curves[k];
+    data += fmt::format("# {}\n# packing_density {}\n", curve.label, quantity);
+    for (const auto& [x, y] : curve.points) {
+      data += fmt::format("{} {}\n", x, y);
+      if (curve.stroke != Stroke::dashed_line) values.push_back(y);
+    }
+    if (curve.points.empty()) data += "NaN NaN\n";
+    data += "\n\n";
+    const char* style = curve.stroke == Stroke::marks         ? "linespoints lw 1.5 pt 7 ps 0.8"
+                        : curve.stroke == Stroke::dashed_line ? "lines lw 1.5 dashtype 2"
+                                                              : "lines lw 0.4";
+    const std::string colour = curve.colour == 0 ? "rgb 'black'" : fmt::format("{}", curve.colour);
+    commands +=
+        fmt::format("{} '{}.dat' index {} with {} lc {} {}", commands.empty() ? "plot" : ",", name,
+                    k, style, colour, curve.label.empty() ? "notitle" : title(curve.label));
+  }
+  // The range leaves out the highest peaks of the force.
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    const auto last = static_cast<double>(values.size() - 1);
+    return values[static_cast<std::size_t>(std::round(share * last))];
+  };
+  std::string range;
+  if (!values.empty()) {
+    const double top = at(0.99), bottom = std::min(0.0, at(0.01));
+    range = fmt::format("set yrange [{:.4g}:{:.4g}]\n", 1.1 * bottom, std::max(1e-3, 1.35 * top));
+  }
+  draw(folder, name, data,
+       curve_style + std::string("set ylabel '") + quantity + "'\n" + range + commands + "\n",
+       "14cm,10cm", "1200,860");
+}
+
 }  // namespace wirepack

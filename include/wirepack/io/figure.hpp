@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,6 +33,18 @@ void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun
 
 /// energy: E_bend R / YI and E_twist R / YI against the packing density, with the same model.
 void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+
+enum class Stroke { thin_line, dashed_line, marks };
+/// One curve of a figure against the packing density; no label: not in the key. Colour 0 is black.
+struct Curve {
+  std::string label;
+  std::vector<std::array<double, 2>> points;
+  int colour = 1;
+  Stroke stroke = Stroke::thin_line;
+};
+/// NAME: curves against the packing density.
+void draw_curves(const std::filesystem::path& folder, const std::string& name,
+                 const std::string& quantity, const std::vector<Curve>& curves);
 
 /// fit: measured points with the fitted shape, and the distances of the points along it.
 void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,

@@ -1,0 +1,145 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <system_error>
+#include <vector>
+
+#include "wirepack/core/error.hpp"
+#include "wirepack/io/comparison_page.hpp"
+#include "wirepack/io/config_file.hpp"
+#include "wirepack/io/hdf5_reader.hpp"
+
+#include "command.hpp"
+#include "run_loop.hpp"
+#include "stop_signals.hpp"
+
+namespace wirepack {
+
+namespace {
+
+struct Options {
+  std::string config, folder, command_line;
+  std::vector<std::string> assignments;
+  double density = 0.2;
+  int seeds = 1;
+};
+
+void say(const std::string& message) {
+  std::fputs(("wirepack compare: " + message + "\n").c_str(), stderr);
+}
+
+Scenario scenario_of(const Options& options) {
+  std::vector<ConfigOverride> overrides;
+  for (const std::string& assignment : options.assignments) {
+    overrides.push_back({assignment, "--set " + assignment});
+  }
+  Scenario scenario = read_config(options.config, overrides);
+  scenario.stop = {};
+  scenario.stop.density = options.density;
+  std::string text;
+  for (const auto& [way, name] : ways) {
+    for (const std::string& problem : problems(scenario_of(way, scenario))) {
+      if (text.find(problem) == std::string::npos) text += (text.empty() ? "" : "\n") + problem;
+    }
+  }
+  if (!text.empty()) throw InvalidInput(text);
+  return scenario;
+}
+
+bool is_over(const PackingProgress& progress, const Scenario& scenario, const Hdf5Reader& reader) {
+  return reader.finished() || reached_limit(scenario, progress.last);
+}
+
+/// Runs one way to its end, going on from a file that is there. False: a signal has stopped it.
+bool run(const Scenario& scenario, const std::filesystem::path& file, const Options& options) {
+  if (!std::filesystem::exists(file)) {
+    PackingRun packing(scenario);
+    Hdf5Recorder recorder(file, scenario, options.command_line);
+    return record_run(packing, recorder, scenario, RunTotals{}, nullptr).stop.has_value();
+  }
+  const Hdf5Reader reader(file);
+  if (const auto conflict = continuation_conflict(reader.scenario(), scenario)) {
+    throw InvalidInput(fmt::format("{} is of another configuration: {}; give another folder",
+                                   file.string(), *conflict));
+  }
+  PackingProgress progress = reader.progress();
+  if (is_over(progress, scenario, reader)) return true;
+  RunTotals totals;
+  for (const HistoryRow& row : reader.history()) totals.add(row);
+  PackingRun packing(scenario, std::move(progress));
+  Hdf5Recorder recorder = Hdf5Recorder::continuing(file, scenario, options.command_line);
+  return record_run(packing, recorder, scenario, totals, nullptr).stop.has_value();
+}
+
+ComparedRun read_run(Way way, const std::filesystem::path& file) {
+  const Hdf5Reader reader(file);
+  ComparedRun run{way, reader.scenario(), reader.history(), {}};
+  for (const std::int64_t increment : reader.frame_increments()) {
+    run.frames.push_back(reader.frame(increment));
+  }
+  return run;
+}
+
+int compare_ways(const Options& options) {
+  const Scenario scenario = scenario_of(options);
+  const std::filesystem::path folder = options.folder;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+  catch_stop_signals();
+  std::vector<ComparedRun> runs;
+  for (int k = 0; k < options.seeds; ++k) {
+    Scenario seeded = scenario;
+    seeded.seed += static_cast<std::uint64_t>(k);
+    for (const auto& [way, name] : ways) {
+      const std::filesystem::path file =
+          folder / (options.seeds == 1 ? fmt::format("{}.h5", name)
+                                       : fmt::format("{}_seed{}.h5", name, seeded.seed));
+      say(fmt::format("{}, seed {}", name, seeded.seed));
+      if (!run(scenario_of(way, seeded), file, options)) {
+        say("stopped by a signal; the same command goes on from there");
+        return exit_stopped_by_signal;
+      }
+      runs.push_back(read_run(way, file));
+    }
+  }
+  const Comparison comparison = compare(runs);
+  write_comparison(folder, std::filesystem::path(options.config).filename().string(),
+                   resolved_config(scenario), runs, comparison);
+  std::fputs(comparison_table(comparison).c_str(), stdout);
+  fmt::print("# {}\n", (folder / "comparison.html").string());
+  return exit_done;
+}
+
+}  // namespace
+
+Command compare_command(CLI::App& program, const std::string& command_line) {
+  auto options = std::make_shared<Options>();
+  options->command_line = command_line;
+  CLI::App* app = program.add_subcommand(
+      "compare", "Minimization and integration in time of one scenario, with and without friction");
+  app->set_help_flag("--help,-h", "This help");
+  app->add_option("CONFIG.toml", options->config,
+                  "Configuration; its method, model of friction and limits do not count")
+      ->required();
+  app->add_option(
+         "-o,--output", options->folder,
+         "Folder for the runs, the page, the figures and the JSON; runs that are there are "
+         "gone on with")
+      ->required()
+      ->type_name("DIR");
+  app->add_option("--density", options->density, "Packing density to which all ways are run")
+      ->capture_default_str();
+  app->add_option("--seeds", options->seeds, "Runs of each way, with successive seeds")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  app->add_option("--set", options->assignments, "Sets a key, as section.key=value")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app->footer("Example: wirepack compare data/scenarios/low_torsion_r5.toml -o compare_r5");
+  return {app, [options] { return compare_ways(*options); }};
+}
+
+}  // namespace wirepack

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "wirepack/packing/comparison.hpp"
+
+namespace wirepack {
+
+/// What a comparison says, a sentence each: a verdict for every quantity, where the force goes with
+/// friction, what friction does to the order of the coils, what both methods cost.
+std::vector<std::string> findings(const Comparison& comparison);
+
+/// The numbers as text: a block to each quantity, a line to each way, a column to each density.
+std::string comparison_table(const Comparison& comparison);
+
+/// The same as JSON.
+std::string comparison_json(const Comparison& comparison);
+
+/// Draws every quantity against the density (NAME.png, .pdf, .svg, .dat, .gp) and writes
+/// comparison.json and comparison.html, one page that needs no other file. Throws FileError.
+void write_comparison(const std::filesystem::path& folder, const std::string& title,
+                      const std::string& config, const std::vector<ComparedRun>& runs,
+                      const Comparison& comparison);
+
+}  // namespace wirepack
