@@ -136,7 +136,18 @@ class Fit(ProgramTest):
             self.assertEqual(data[: len(start)], start)
             self.assertGreater(len(data), 4000)
         blocks = (folder / "fit.dat").read_text().split("\n\n\n")
-        self.assertEqual(len(blocks[0].splitlines()), 401)
+        self.assertEqual(len(blocks[0].splitlines()), 402)
+
+    def test_points_in_no_order_give_the_same_helix(self):
+        lines = self.helix_text().splitlines()
+        shape = []
+        for text in (lines, lines[:2] + sorted(lines[2:])):
+            self.write("points.csv", "\n".join(text))
+            out, _ = self.fit("points.csv", "helix", "--json")
+            shape.append(json.loads(out)["parameters"])
+        for key in ("curvature", "torsion", "radius", "pitch"):
+            self.assertAlmostEqual(shape[0][key]["value"], shape[1][key]["value"], 9)
+        self.assertAlmostEqual(shape[0]["pitch"]["value"], math.pi, 9)
 
     def make_shape(self):
         (self.folder / "shapes").mkdir(exist_ok=True)
@@ -171,7 +182,7 @@ class Fit(ProgramTest):
         self.assertEqual(self.run_program("run", "run.toml", "-o", "a.h5")[0], 0)
         shape = self.folder / "shapes" / "helix.toml"
         text = shape.read_text()
-        shape.write_text(text.replace("k0 = [\n  [0.0, 0.0, 0.4", "k0 = [\n  [0.0, 0.0, 0.5"))
+        shape.write_text(text.replace("\n  [0.0, 0.0, 0.47", "\n  [0.0, 0.0, 0.48"))
         self.assertNotEqual(text, shape.read_text())
         more = ("--set", "stop.increments=50", "--resume")
         code, _, err = self.run_program("run", "run.toml", "-o", "a.h5", *more)
@@ -196,7 +207,7 @@ class Fit(ProgramTest):
             start + "[[0, 0, 1]]": "must be the name of a shape file, or rows",
             good + "precurvature = 0.1": "wire.precurvature = 0.1: wire.reference_shape is given, too",
             good: "the run may insert any length",
-            good + "[stop]\nlength = 40": "the run may insert 40",
+            good + "[stop]\nlength = 60": "the run may insert 60",
             good + "reference_shape_beyond = 'end'": 'must be "error" or "repeat" or "extend"',
             good + "reference_shape_beyond = 'extend'\nedge_length = 2.2\n[cavity]\nradius = 10":
                 "wire.edge_length = 2.2: must be at most",
