@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 #include "wirepack/core/error.hpp"
@@ -50,7 +51,7 @@ MeasuredPoints chosen(const MeasuredPoints& points, const std::vector<Index>& wh
   return result;
 }
 
-// Every k-th point, `most` at most.
+// So many of the points at most, equally spaced in their list.
 std::vector<Index> sample(Index count, Index most) {
   std::vector<Index> which;
   const Index used = std::min(count, most);
@@ -73,6 +74,17 @@ void check_points(const MeasuredPoints& points, const FitOptions& options) {
     throw InvalidInput(std::to_string(n) + " points, " + std::to_string(different) +
                        " of them different: a " + model + " with its errors needs at least " +
                        std::to_string(least));
+  }
+  if (points.arc.size() > 0) {
+    Index first = 0, last = 0;
+    const double span = points.arc.maxCoeff(&last) - points.arc.minCoeff(&first);
+    const double apart = (points.position.col(last) - points.position.col(first)).norm();
+    if (!(span > 0.8 * apart)) {
+      std::ostringstream text;
+      text << "the arc lengths span " << span << ", but the points at their ends are " << apart
+           << " apart: is the fourth column an arc length?";
+      throw InvalidInput(text.str());
+    }
   }
   if (options.intervals) {
     const Index most = std::min((2 * n - 5) / 2 - 3, most_intervals);
@@ -169,10 +181,9 @@ struct Uncertainty {
 
 Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& solution) {
   const Index size = solution.jacobian.cols();
-  const Index first = solution.rows == 2 ? 1 : 0;  // of the shift along d3, which is held
   std::vector<Index> free;
   for (Index i = 0; i < size; ++i) {
-    if (first == 0 || i != 4) free.push_back(i);
+    if (i != DarbouxCurve::shift_along || solution.rows == 3) free.push_back(i);
   }
   const Eigen::MatrixXd jacobian = solution.jacobian(Eigen::all, free);
   // R of a QR decomposition has the singular values of the Jacobian and few rows.
@@ -200,7 +211,7 @@ Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& so
                           (derivative * derivative);
   const bool given = points.sigma.size() > 0;
   result.noise = given ? std::sqrt(variance) : std::max(std::sqrt(variance), rounding);
-  const double scale = given ? 1 : result.noise;
+  const double scale = given && !(solution.huber > 0) ? 1 : result.noise;
   const Index kept = result.rank;
   const Eigen::MatrixXd half =
       directions.leftCols(kept) * values.head(kept).cwiseInverse().asDiagonal();

@@ -108,6 +108,7 @@ class Fit(ProgramTest):
         self.refuse("", "holds no points")
         self.refuse("1,2\n3,4\n", "has 2 columns; must be x, y, z")
         self.refuse("1,2,3,0,0\n", "column 5 (sigma) = 0: must be positive")
+        self.refuse("0,0,0,1\n1,0,0,1\n2,1,0,1\n3,1,0,1\n", "is the fourth column an arc length?")
         self.refuse(b"\x89HDF\x00", "is not a text file")
         self.refuse(good, "--intervals is for --model spline", more=("--intervals", "3"))
 

@@ -20,6 +20,7 @@ ReferenceShape uniform_shape(const Vec3& darboux, double length) {
 
 RodParams wavy_params() {
   RodParams params;
+  params.rest_darboux = Vec3(0.02, -0.03, 0);  // as an imperfection adds it
   params.reference_shape = {
       DarbouxTable({{0, Vec3(0.1, 0.2, -0.3)}, {2, Vec3(0.3, 0, -0.3)}, {4.3, Vec3(0, -0.4, 0.6)}}),
       BeyondShape::repeat};
