@@ -177,6 +177,26 @@ class Fit(ProgramTest):
         self.assertEqual(code, 0, err)
         self.assertEqual(differing(self.folder / "a.h5", self.folder / "c.h5"), [])
 
+    def test_a_uniform_shape_is_a_precurved_wire_at_rest_and_in_time(self):
+        start = "[packing]\nsetup = 'high_torsion'\n[cavity]\nradius = 5\n[stop]\nincrements = 5\n[wire]\n"
+        self.write("curved.toml", start + "precurvature = 0.08\n")
+        self.write(
+            "shaped.toml",
+            start + "reference_shape_beyond = 'repeat'\nreference_shape = [[0, 0, 0.08, 0], [1, 0, 0.08, 0]]\n",
+        )
+        for method in ("quasistatic", "dynamic"):
+            last = []
+            for config in ("curved.toml", "shaped.toml"):
+                arguments = ("run", config, "-o", "out.h5", "--force", "--method", method)
+                code, _, err = self.run_program(*arguments)
+                self.assertEqual(code, 0, err)
+                with h5py.File(self.folder / "out.h5") as file:
+                    last.append([file["history/" + name][-1] for name in ("energy_bend", "force")])
+            self.assertGreater(last[0][0], 0)
+            for one, other in zip(*last):
+                # sums of halves of an edge against its whole: round-off, which the minimizer multiplies
+                self.assertAlmostEqual(one / other, 1, 3)
+
     def test_a_run_is_not_continued_with_another_shape(self):
         self.make_shape()
         self.write("run.toml", SHAPED_RUN)
