@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
-#include <limits>
 #include <unistd.h>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/history_table.hpp"
 #include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/longest_wire.hpp"
 
 #include "stop_signals.hpp"
 
@@ -137,16 +137,7 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
 
 double expected_length(const Scenario& scenario) {
   const StopLimits& stop = scenario.stop;
-  double length = std::numeric_limits<double>::infinity();
-  if (stop.length) length = std::min(length, *stop.length);
-  if (stop.density)
-    length =
-        std::min(length, length_at_density(*stop.density, scenario.cavity, scenario.wire.radius));
-  if (stop.increments) {
-    length =
-        std::min(length, 2 * scenario.wire.edge_length +
-                             static_cast<double>(*stop.increments) * scenario.insertion.increment);
-  }
+  double length = longest_wire(scenario);
   if (stop.scaled_force || stop.force) {
     const double density = 0.98 * std::pow(scenario.wire.radius / scenario.cavity.radius, 0.38);
     length = std::min(length, length_at_density(density, scenario.cavity, scenario.wire.radius));

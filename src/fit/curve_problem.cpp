@@ -11,9 +11,6 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// The shift along the tangent; without known arcs the curve only slides along itself by it.
-constexpr int shift_along = 4;
-
 /// Residuals and their derivatives of all points for the curve that Ceres is at.
 class Residuals : public ceres::EvaluationCallback {
  public:
@@ -102,7 +99,7 @@ bool at_rest(const Residuals& residuals, const RowMajor& jacobian, double huber)
   }
   if (unweighted < 1e-11) return true;
   for (Index k = 0; k < jacobian.cols(); ++k) {
-    if (k == shift_along && residuals.rows() == 2) continue;
+    if (k == DarbouxCurve::shift_along && residuals.rows() == 2) continue;
     const double size = bounded.norm() * jacobian.col(k).norm();
     if (std::abs(jacobian.col(k).dot(bounded)) > 1e-5 * size) return false;
   }
@@ -120,8 +117,9 @@ CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, d
   ceres::Problem problem(problem_options);
   problem.AddParameterBlock(unknowns.data(), static_cast<int>(unknowns.size()));
   if (residuals.rows() == 2) {
-    problem.SetManifold(unknowns.data(), new ceres::SubsetManifold(
-                                             static_cast<int>(unknowns.size()), {shift_along}));
+    problem.SetManifold(
+        unknowns.data(),
+        new ceres::SubsetManifold(static_cast<int>(unknowns.size()), {DarbouxCurve::shift_along}));
   }
   for (Index i = 0; i < points.count(); ++i) {
     problem.AddResidualBlock(new PointCost(residuals, i),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <sstream>
 #include <tuple>
 
 #include "wirepack/core/error.hpp"
@@ -50,7 +51,7 @@ MeasuredPoints chosen(const MeasuredPoints& points, const std::vector<Index>& wh
   return result;
 }
 
-// Every k-th point, `most` at most.
+// So many of the points at most, equally spaced in their list.
 std::vector<Index> sample(Index count, Index most) {
   std::vector<Index> which;
   const Index used = std::min(count, most);
@@ -74,6 +75,17 @@ void check_points(const MeasuredPoints& points, const FitOptions& options) {
                        " of them different: a " + model + " with its errors needs at least " +
                        std::to_string(least));
   }
+  if (points.arc.size() > 0) {
+    Index first = 0, last = 0;
+    const double span = points.arc.maxCoeff(&last) - points.arc.minCoeff(&first);
+    const double apart = (points.position.col(last) - points.position.col(first)).norm();
+    if (!(span > 0.8 * apart)) {
+      std::ostringstream text;
+      text << "the arc lengths span " << span << ", but the points at their ends are " << apart
+           << " apart: is the fourth column an arc length?";
+      throw InvalidInput(text.str());
+    }
+  }
   if (options.intervals) {
     const Index most = std::min((2 * n - 5) / 2 - 3, most_intervals);
     if (*options.intervals < 1 || *options.intervals > most) {
@@ -84,22 +96,28 @@ void check_points(const MeasuredPoints& points, const FitOptions& options) {
   }
 }
 
+// All starts compete on a sample of the points, first for a few steps, then the best of them.
 CurveSolution best_of(const MeasuredPoints& points, const std::vector<FitStart>& starts) {
   if (starts.size() == 1) return solve_curve(points, starts.front());
   const std::vector<Index> which = sample(points.count(), most_trial_points);
   const MeasuredPoints few = chosen(points, which);
-  const FitStart* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const FitStart& start : starts) {
-    FitStart trial = start;
-    trial.feet = start.feet(which);
-    const CurveSolution solution = solve_curve(few, trial, 0, 30);
-    if (solution.cost >= least) continue;
-    least = solution.cost;
-    best = &start;
+  struct Trial {
+    const FitStart* start;
+    double cost;
+  };
+  std::vector<Trial> trials;
+  for (const FitStart& start : starts) trials.push_back({&start, 0});
+  for (const int iterations : {4, 40}) {
+    for (Trial& trial : trials) {
+      FitStart start = *trial.start;
+      start.feet = trial.start->feet(which);
+      trial.cost = solve_curve(few, start, 0, iterations).cost;
+    }
+    std::stable_sort(trials.begin(), trials.end(),
+                     [](const Trial& p, const Trial& q) { return p.cost < q.cost; });
+    trials.resize(std::min<std::size_t>(trials.size(), 3), trials.front());
   }
-  if (best == nullptr) throw NumericalFailure("no curve near the points was found");
-  return solve_curve(points, *best);
+  return solve_curve(points, *trials.front().start);
 }
 
 // Arcs that are known stay what they are.
@@ -163,10 +181,9 @@ struct Uncertainty {
 
 Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& solution) {
   const Index size = solution.jacobian.cols();
-  const Index first = solution.rows == 2 ? 1 : 0;  // of the shift along d3, which is held
   std::vector<Index> free;
   for (Index i = 0; i < size; ++i) {
-    if (first == 0 || i != 4) free.push_back(i);
+    if (i != DarbouxCurve::shift_along || solution.rows == 3) free.push_back(i);
   }
   const Eigen::MatrixXd jacobian = solution.jacobian(Eigen::all, free);
   // R of a QR decomposition has the singular values of the Jacobian and few rows.
@@ -194,7 +211,7 @@ Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& so
                           (derivative * derivative);
   const bool given = points.sigma.size() > 0;
   result.noise = given ? std::sqrt(variance) : std::max(std::sqrt(variance), rounding);
-  const double scale = given ? 1 : result.noise;
+  const double scale = given && !(solution.huber > 0) ? 1 : result.noise;
   const Index kept = result.rank;
   const Eigen::MatrixXd half =
       directions.leftCols(kept) * values.head(kept).cwiseInverse().asDiagonal();
@@ -385,14 +402,13 @@ ShapeFit fit_shape(const MeasuredPoints& given, const FitOptions& options) {
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
     std::stable_sort(order.begin(), order.end(),
                      [&](Index a, Index b) { return given.arc[a] < given.arc[b]; });
-  } else if (options.model == ShapeModel::spline && !points.ordered) {
+  } else if (options.model != ShapeModel::circle && !points.ordered) {
     order = order_along_wire(points.position);
-    if (order.empty()) {
+    if (order.empty() && options.model == ShapeModel::spline) {
       throw InvalidInput(
           "the points do not line up along one wire: a spline needs them in order, with --ordered, "
           "or with their arc lengths");
     }
-    points.ordered = true;
   }
   if (!order.empty()) {
     points = chosen(points, order);
@@ -411,6 +427,13 @@ ShapeFit fit_shape(const MeasuredPoints& given, const FitOptions& options) {
     std::vector<FitStart> starts = options.model == ShapeModel::circle
                                        ? std::vector<FitStart>{circle_start(scale.points)}
                                        : helix_starts(scale.points);
+    if (options.model == ShapeModel::helix && !given.ordered && points.arc.size() == 0) {
+      // an order that was found may be wrong
+      MeasuredPoints loose = scale.points;
+      loose.ordered = false;
+      const std::vector<FitStart> more = helix_starts(loose);
+      starts.insert(starts.end(), more.begin(), more.end());
+    }
     for (FitStart& start : starts) keep_arcs(scale.points, start);
     return best_of(scale.points, starts);
   }();

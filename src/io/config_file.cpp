@@ -256,7 +256,7 @@ class Interpreter {
       const auto given = std::find_if(text_.keys.begin(), text_.keys.end(), [&](const GivenKey& k) {
         return k.section + "." + k.name == path;
       });
-      if (given != text_.keys.end()) {
+      if (given != text_.keys.end() && value_of(path) != nullptr) {
         problems_.push_back(given->where + ": " + problem);
       } else {
         of_defaults.push_back(source_ + ": " + problem + " (the default; give this key)");

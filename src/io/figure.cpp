@@ -257,21 +257,28 @@ void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
   for (Index i = 0; i < fit.curve.cols(); ++i) {
     data += fmt::format("{} {} {}\n", fit.curve(0, i), fit.curve(1, i), fit.curve(2, i));
   }
+  // a fifth of the extent or so, as 1, 2 or 5 times a power of ten: tics of all axes
+  const Vec3 extent = points.position.rowwise().maxCoeff() - points.position.rowwise().minCoeff();
+  const double power = std::pow(10.0, std::floor(std::log10(extent.maxCoeff() / 5)));
+  const double part = extent.maxCoeff() / 5 / power;
+  const double step = power * (part > 5 ? 10 : part > 2 ? 5 : part > 1 ? 2 : 1);
   // thousands of points would hide the curve
   const Index every = std::max<Index>(1, points.count() / 1000);
   const std::string commands = fmt::format(
       "set multiplot\n"
-      "set origin 0,0.35\nset size 1,0.65\nset view equal xyz\nset view 60,30,1.2\n"
+      "set origin 0,0.33\nset size 1,0.67\nset view equal xyz\nset view 60,30,1.3\n"
       "set xyplane relative 0.05\nset xlabel 'x'\nset ylabel 'y'\nset zlabel 'z'\n"
-      "set xtics offset 0,-0.3 autofreq\nset key top right\n"
-      "splot 'fit.dat' index 0 every {} using 1:2:3 with points pt 7 ps 0.5 lc rgb '#2b5c8a' "
+      "set xtics {0}\nset ytics {0}\nset ztics {0}\nset key at screen 0.95,0.97\n"
+      "splot 'fit.dat' index 0 every {1} using 1:2:3 with points pt 7 ps 0.5 lc rgb '#2b5c8a' "
       "title 'points', '' index 1 using 1:2:3 with lines lw 1.5 lc rgb '#b5342c' title 'fit'\n"
-      "set origin 0,0\nset size 1,0.35\nset xlabel 'arc length'\nset ylabel 'distance'\n"
+      "set origin 0,0\nset size 1,0.33\nset xtics autofreq\nset ytics autofreq\n"
+      "set key inside top right\nset xlabel 'arc length'\nset ylabel 'distance'\n"
       "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
-      "plot 'fit.dat' index 0 every {} using 4:5 with points pt 7 ps 0.4 lc rgb '#2b5c8a' notitle, "
-      "{} with lines dashtype 2 lc rgb '#b5342c' title 'root mean square'\n"
+      "plot 'fit.dat' index 0 every {1} using 4:5 with points pt 7 ps 0.4 lc rgb '#2b5c8a' "
+      "notitle, "
+      "{2} with lines dashtype 2 lc rgb '#b5342c' title 'root mean square'\n"
       "unset multiplot\nreset\n",
-      every, every, fit.residual_rms);
+      step, every, fit.residual_rms);
   draw(folder, "fit", data, commands, "14cm,17cm", "1200,1450");
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
+#include "wirepack/packing/longest_wire.hpp"
 
 namespace wirepack {
 
@@ -35,23 +35,6 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
 }
 
 namespace {
-
-// The most wire that a run can insert.
-double longest_wire(const Scenario& scenario) {
-  const StopLimits& stop = scenario.stop;
-  double length = std::numeric_limits<double>::infinity();
-  if (stop.length) length = *stop.length;
-  if (stop.density) {
-    length =
-        std::min(length, length_at_density(*stop.density, scenario.cavity, scenario.wire.radius));
-  }
-  if (stop.increments) {
-    length =
-        std::min(length, 2 * scenario.wire.edge_length +
-                             static_cast<double>(*stop.increments) * scenario.insertion.increment);
-  }
-  return length;
-}
 
 void check_reference_shape(const Scenario& scenario, std::vector<std::string>& found) {
   const ReferenceShape& shape = scenario.wire.reference_shape;

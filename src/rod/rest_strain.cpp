@@ -36,25 +36,27 @@ Vec3 turned(const Vec3& v, double angle) {
 }  // namespace
 
 Vec3 rest_strain(const RodState& state, const RodParams& params, Index node) {
+  const Vec3 uniform = node_length(state, params, node) * params.rest_darboux;
   const ReferenceShape& shape = params.reference_shape;
-  if (shape.empty()) return node_length(state, params, node) * params.rest_darboux;
+  if (shape.empty()) return uniform;
   const Part part = part_of(state, params, node);
-  return turned(shape.integral(part.last) - shape.integral(part.first),
-                shape.integral(part.middle()).z());
+  return uniform + turned(shape.integral(part.last) - shape.integral(part.first),
+                          shape.integral(part.middle()).z());
 }
 
 Vec3 rest_strain_by_inlet(const RodState& state, const RodParams& params, Index node) {
   const double share = node_length_by_inlet(state, node);
   const ReferenceShape& shape = params.reference_shape;
-  if (share == 0 || shape.empty()) return share * params.rest_darboux;
+  const Vec3 uniform = share * params.rest_darboux;
+  if (share == 0 || shape.empty()) return uniform;
   const Part part = part_of(state, params, node);
   const Vec3 strain = shape.integral(part.last) - shape.integral(part.first);
   const Vec3 by_ends = part.last_by_inlet * shape.darboux(part.last) -
                        part.first_by_inlet * shape.darboux(part.first);
   const double turn_by_inlet =
       (part.first_by_inlet + part.last_by_inlet) / 2 * shape.darboux(part.middle()).z();
-  return turned(by_ends + turn_by_inlet * Vec3(-strain.y(), strain.x(), 0),
-                shape.integral(part.middle()).z());
+  return uniform + turned(by_ends + turn_by_inlet * Vec3(-strain.y(), strain.x(), 0),
+                          shape.integral(part.middle()).z());
 }
 
 bool is_straight(const RodParams& params) {

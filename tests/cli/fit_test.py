@@ -108,6 +108,7 @@ class Fit(ProgramTest):
         self.refuse("", "holds no points")
         self.refuse("1,2\n3,4\n", "has 2 columns; must be x, y, z")
         self.refuse("1,2,3,0,0\n", "column 5 (sigma) = 0: must be positive")
+        self.refuse("0,0,0,1\n1,0,0,1\n2,1,0,1\n3,1,0,1\n", "is the fourth column an arc length?")
         self.refuse(b"\x89HDF\x00", "is not a text file")
         self.refuse(good, "--intervals is for --model spline", more=("--intervals", "3"))
 
@@ -136,7 +137,18 @@ class Fit(ProgramTest):
             self.assertEqual(data[: len(start)], start)
             self.assertGreater(len(data), 4000)
         blocks = (folder / "fit.dat").read_text().split("\n\n\n")
-        self.assertEqual(len(blocks[0].splitlines()), 401)
+        self.assertEqual(len(blocks[0].splitlines()), 402)
+
+    def test_points_in_no_order_give_the_same_helix(self):
+        lines = self.helix_text().splitlines()
+        shape = []
+        for text in (lines, lines[:2] + sorted(lines[2:])):
+            self.write("points.csv", "\n".join(text))
+            out, _ = self.fit("points.csv", "helix", "--json")
+            shape.append(json.loads(out)["parameters"])
+        for key in ("curvature", "torsion", "radius", "pitch"):
+            self.assertAlmostEqual(shape[0][key]["value"], shape[1][key]["value"], 9)
+        self.assertAlmostEqual(shape[0]["pitch"]["value"], math.pi, 9)
 
     def make_shape(self):
         (self.folder / "shapes").mkdir(exist_ok=True)
@@ -165,13 +177,33 @@ class Fit(ProgramTest):
         self.assertEqual(code, 0, err)
         self.assertEqual(differing(self.folder / "a.h5", self.folder / "c.h5"), [])
 
+    def test_a_uniform_shape_is_a_precurved_wire_at_rest_and_in_time(self):
+        start = "[packing]\nsetup = 'high_torsion'\n[cavity]\nradius = 5\n[stop]\nincrements = 5\n[wire]\n"
+        self.write("curved.toml", start + "precurvature = 0.08\n")
+        self.write(
+            "shaped.toml",
+            start + "reference_shape_beyond = 'repeat'\nreference_shape = [[0, 0, 0.08, 0], [1, 0, 0.08, 0]]\n",
+        )
+        for method in ("quasistatic", "dynamic"):
+            last = []
+            for config in ("curved.toml", "shaped.toml"):
+                arguments = ("run", config, "-o", "out.h5", "--force", "--method", method)
+                code, _, err = self.run_program(*arguments)
+                self.assertEqual(code, 0, err)
+                with h5py.File(self.folder / "out.h5") as file:
+                    last.append([file["history/" + name][-1] for name in ("energy_bend", "force")])
+            self.assertGreater(last[0][0], 0)
+            for one, other in zip(*last):
+                # sums of halves of an edge against its whole: round-off, which the minimizer multiplies
+                self.assertAlmostEqual(one / other, 1, 3)
+
     def test_a_run_is_not_continued_with_another_shape(self):
         self.make_shape()
         self.write("run.toml", SHAPED_RUN)
         self.assertEqual(self.run_program("run", "run.toml", "-o", "a.h5")[0], 0)
         shape = self.folder / "shapes" / "helix.toml"
         text = shape.read_text()
-        shape.write_text(text.replace("k0 = [\n  [0.0, 0.0, 0.4", "k0 = [\n  [0.0, 0.0, 0.5"))
+        shape.write_text(text.replace("\n  [0.0, 0.0, 0.47", "\n  [0.0, 0.0, 0.48"))
         self.assertNotEqual(text, shape.read_text())
         more = ("--set", "stop.increments=50", "--resume")
         code, _, err = self.run_program("run", "run.toml", "-o", "a.h5", *more)
@@ -196,7 +228,7 @@ class Fit(ProgramTest):
             start + "[[0, 0, 1]]": "must be the name of a shape file, or rows",
             good + "precurvature = 0.1": "wire.precurvature = 0.1: wire.reference_shape is given, too",
             good: "the run may insert any length",
-            good + "[stop]\nlength = 40": "the run may insert 40",
+            good + "[stop]\nlength = 60": "the run may insert 60",
             good + "reference_shape_beyond = 'end'": 'must be "error" or "repeat" or "extend"',
             good + "reference_shape_beyond = 'extend'\nedge_length = 2.2\n[cavity]\nradius = 10":
                 "wire.edge_length = 2.2: must be at most",

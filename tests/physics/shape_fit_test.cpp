@@ -5,24 +5,25 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/fit/darboux_curve.hpp"
 
+#include "../support/fit_trials.hpp"
 #include "../support/helices.hpp"
 #include "../support/measured_wires.hpp"
 
 namespace wirepack {
 namespace {
 
+using testing::curvature;
+using testing::fitted;
 using testing::helix_points;
 using testing::measured;
 using testing::normal_noise;
+using testing::Number;
+using testing::pitch;
+using testing::radius;
 using testing::shuffled;
-
-enum Number : std::size_t { curvature = 0, torsion = 1, radius = 2, pitch = 3 };
-
-ShapeFit fitted(const MeasuredPoints& points, ShapeModel model) {
-  ShapeFit fit = fit_shape(points, {model, false, {}});
-  EXPECT_TRUE(fit.converged);
-  return fit;
-}
+using testing::torsion;
+using testing::Trials;
+using testing::trials;
 
 // Points on a circle arc of radius 1, ends included (but once around).
 Points arc_points(double turns) { return helix_points(100, 1, 0, turns, turns < 1, 3); }
@@ -90,28 +91,6 @@ TEST(HelixFit, StandardErrorsAreTheCramerRaoBounds) {
     EXPECT_NEAR(error_over_noise(fit, curvature), c.curvature, 1e-4);
     EXPECT_NEAR(error_over_noise(fit, torsion), c.torsion, 1e-4);
   }
-}
-
-// Many fits of the same points with other scatter, each together with its mirror image: what is left
-// in their mean is the bias, and hardly the scatter. In standard errors.
-struct Trials {
-  double bias, scatter;
-};
-
-Trials trials(const Points& exact, ShapeModel model, Number number, double truth, double sigma,
-              int pairs, double standard_error) {
-  Random random(17);
-  double sum = 0, squares = 0;
-  for (int i = 0; i < pairs; ++i) {
-    const Points noise = normal_noise(exact.cols(), sigma, random);
-    for (const double sign : {1.0, -1.0}) {
-      const double off =
-          fitted(measured(exact + sign * noise), model).numbers[number].value - truth;
-      sum += off / standard_error;
-      squares += off * off / (standard_error * standard_error);
-    }
-  }
-  return {sum / (2 * pairs), std::sqrt(squares / (2 * pairs))};
 }
 
 TEST(CircleFit, ShortArcsAreNotBiasedAndScatterByTheirErrors) {

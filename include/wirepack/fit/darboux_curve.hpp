@@ -39,6 +39,8 @@ struct DarbouxBasis {
 class DarbouxCurve {
  public:
   static constexpr Index pose_size = 5;
+  /// Place of the shift along d3. Unless arcs are known, a curve only slides along itself by it.
+  static constexpr Index shift_along = 4;
   struct Pose {
     Mat3 directors = Mat3::Identity();  ///< d1, d2, d3 as columns
     Vec3 position = Vec3::Zero();

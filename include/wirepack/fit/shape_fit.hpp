@@ -51,8 +51,8 @@ struct ShapeFit {
 
 /// Least squares of the distances of points from the centreline of a rod (at their arcs, where arcs
 /// are given), with k0 the unknown; starting values, and the order of points of a spline, are found
-/// on the way. Standard errors are those of the linearised fit, scaled by the variance of the
-/// residuals.
+/// on the way. Standard errors are those of the linearised fit, by the given sigmas or else by the
+/// variance of the residuals.
 ///
 /// Throws InvalidInput when the points cannot determine the model: too few of them, all in one place,
 /// no order along a wire; NumericalFailure when the fit does not converge.

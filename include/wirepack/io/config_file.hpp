@@ -25,7 +25,7 @@ struct ConfigOverride {
 ///
 /// Throws InvalidInput with one line per problem, "file:line:column: section.key = value: what is
 /// allowed", for all problems at once: syntax, unknown sections and keys, wrong types, impossible
-/// values, features of other versions, a file without any key. `source` names the text in messages.
+/// values, a file without any key. `source` names the text in messages.
 Scenario parse_config(std::string_view text, const std::string& source,
                       const std::vector<ConfigOverride>& overrides = {});
 

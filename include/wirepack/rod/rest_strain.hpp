@@ -11,8 +11,8 @@ namespace wirepack {
 /// the other; node 0 is the tip, so joint i stays at the material arc i * edge_length, and only those at
 /// the inlet edge change with its length.
 ///
-/// A uniform rest_darboux gives node_length * k0. A reference shape gives the integral of its k0 over
-/// that part of the wire, seen from frames that do not twist along the unstressed wire: bending is
+/// A uniform rest_darboux gives node_length * k0. A reference shape adds the integral of its k0 over that
+/// part of the wire, seen from frames that do not twist along the unstressed wire: bending is
 /// turned by the twist phi(s) = int k3 ds up to the middle of the part, and the rest twist is 0. A round
 /// wire has the same energy in any material frame; these are the ones that a nozzle which blocks
 /// rotation holds still: the wire behind it has no torsion, so what is fed keeps its angle about the

@@ -96,6 +96,21 @@ TEST(ConfigFile, the_resolved_text_gives_an_equal_scenario) {
   EXPECT_EQ(back.output.checkpoint_every_seconds, s.output.checkpoint_every_seconds);
 }
 
+TEST(ConfigFile, a_reference_shape_is_kept_to_the_last_bit_and_takes_the_place_of_precurvature) {
+  const Scenario s = parsed(
+      "[packing]\nsetup = 'high_torsion'\n[wire]\nreference_shape_beyond = 'repeat'\n"
+      "reference_shape = [[0, 0.1, 0.2, 0.3], [1.1, 1e-3, -0.25, 0.7]]\n");
+  EXPECT_TRUE(s.wire.rest_darboux.isZero());
+  EXPECT_EQ(s.nozzle_twist, TwistCondition::locked);
+  Scenario odd = s;
+  odd.wire.reference_shape.table =
+      DarbouxTable({{0, Vec3(1.0 / 3, -1e-300 / 7, 0.1 + 0.2)}, {22.0 / 7, Vec3::Zero()}});
+  const Scenario back = parsed(resolved_config(odd));
+  EXPECT_EQ(back.wire.reference_shape.table, odd.wire.reference_shape.table);
+  EXPECT_EQ(back.wire.reference_shape.beyond, BeyondShape::repeat);
+  EXPECT_EQ(continuation_conflict(s, odd), "wire.reference_shape: is another one than it was");
+}
+
 TEST(ConfigFile, scenarios_that_have_no_text_are_refused) {
   Scenario s = default_scenario(Setup::low_torsion, SphericalCavity{10});
   s.wire.rest_darboux = Vec3(0.1, 0, 0);
