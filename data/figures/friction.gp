@@ -5,7 +5,7 @@ set datafile separator ","
 set multiplot layout 1,3
 set xlabel "packing density"
 set key top left
-curve(setup, mu) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" { if (seed != $3 && seed) print \"\"; seed = $3; print $4 \",\" $5 \",\" $9 \",\" $8 }' data/figures/friction.csv", setup, mu)
+curve(setup, mu) = sprintf("< awk -F, '$1 == \"%s\" && $2 == \"%s\" && $5 > 0 { if (seed != $3 && seed) print \"\"; seed = $3; print $4 \",\" $5 \",\" $9 \",\" $8 }' data/figures/friction.csv", setup, mu)
 set yrange [0:1]
 set ylabel "order of coil axes"
 set key bottom left
