@@ -171,7 +171,7 @@ std::string summary(const RunResult& result, const PackingProgress& progress,
     line("  released in snaps", fmt::format("{:.6g} YI/R", balance.released / unit));
     if (scenario.friction.model != FrictionModel::none) {
       line("  rubbed off", fmt::format("{:.6g} YI/R", balance.friction / unit));
-      line("  in sticking contacts", fmt::format("{:.6g} YI/R", balance.contact_springs / unit));
+      line("  held by contacts", fmt::format("{:.6g} YI/R", balance.contact_springs / unit));
     }
   }
   line("  lost in remeshing", fmt::format("{:.6g} YI/R", balance.remeshing / unit));

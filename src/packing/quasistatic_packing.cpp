@@ -49,9 +49,11 @@ bool is_whole_edge(double length, const RodParams& wire) {
   return std::abs(length - wire.edge_length) < 1e-9 * wire.edge_length;
 }
 
-// Whether increments are whole edges, by which the wire slides along itself.
+// Whether increments are whole edges, by which the wire slides along itself. Friction would have to
+// undo that where it holds the wire.
 bool feeds_whole_edges(const Scenario& scenario) {
-  return is_whole_edge(scenario.insertion.increment, scenario.wire);
+  return is_whole_edge(scenario.insertion.increment, scenario.wire) &&
+         scenario.friction.model == FrictionModel::none;
 }
 
 Stiffness joint_stiffness(const Scenario& scenario) {
@@ -268,7 +270,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   RodState& rod = next.rod;
   double energy_before = next.last.energy_total;
   const double fed = length_of_step();
-  const bool slides = is_whole_edge(fed, scenario_.wire);
+  const bool slides = feeds_whole_edges(scenario_) && is_whole_edge(fed, scenario_.wire);
   double force_before = next.last.force;
   double dissipated = 0;
   // Goes to rest from where friction has started; what rest is left with is elastic energy alone.

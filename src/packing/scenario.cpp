@@ -182,6 +182,9 @@ std::vector<std::string> problems(const Scenario& scenario) {
             "is not in this version for packing.method = \"dynamic\"");
   };
   up_to("imperfection.natural_curvature", imperfection.natural_curvature, 1, "over 1 / R");
+  require(imperfection.natural_curvature == 0 || scenario.wire.reference_shape.empty(),
+          "imperfection.natural_curvature", imperfection.natural_curvature,
+          "must be 0 beside wire.reference_shape, which says all about the wire's rest shape");
   up_to("imperfection.nozzle_offset", imperfection.nozzle_offset, radius / (4 * a), "wire radii");
   up_to("imperfection.nozzle_tilt", imperfection.nozzle_tilt, 0.5, "rad");
   require(positive(scenario.output.frame_every_density), "output.frame_every_density",

@@ -82,6 +82,7 @@ class BadInput(ProgramTest):
             ("nozzle_offset = -1", "imperfection.nozzle_offset = -1: must be between 0 and"),
             ("natural_curvature = 2", "imperfection.natural_curvature = 2: must be between 0 and 1"),
             ("nozle_tilt = 1", "did you mean imperfection.nozzle_tilt?"),
+            ("tilt = 1", "unknown key; [imperfection] has natural_curvature, nozzle_offset"),
         ]:
             with self.subTest(text):
                 self.refuse_config("[imperfection]\n" + text, allowed)

@@ -138,9 +138,9 @@ INSTANTIATE_TEST_SUITE_P(Coefficients, Capstan, ::testing::Values(0.2, 0.18));
 // reached the far wall.
 double first_peak(double mu, double start) {
   const double radius = 40, span = 2 * (radius - 1);
-  const Index edges = 40;
+  const Index edges = 24;
   Scenario scenario = default_scenario(Setup::low_torsion, {radius});
-  scenario.wire.stretch_multiplier = 0.1;  // small steps of the force
+  scenario.wire.stretch_multiplier = 0.2;  // small steps of the force
   scenario.minimizer.tolerance = 1e-5;     // a weakly unstable wire is not at rest
   if (mu > 0) scenario.friction = {FrictionModel::coulomb, mu, mu, 0.01};
   const Stiffness stiff = stiffness(scenario.wire);
@@ -164,7 +164,7 @@ double first_peak(double mu, double start) {
   for (bool going = true; going;) {
     going = !packing.advance();
     const double force = packing.progress().last.force / unit;
-    if (force < 0.9 * peak) break;
+    if (force < 0.99 * peak) break;
     peak = std::max(peak, force);
   }
   return peak;
@@ -176,8 +176,8 @@ TEST(FirstContact, ATipThatSticksRaisesTheFirstPeakToTheEulerLoadOfAPinnedEnd) {
   const double pinned = 20.190729, sliding = 18.273763;
   const double stuck = first_peak(0.2, 0.96 * sliding);
   const double slid = first_peak(0, 0.96 * sliding);
-  EXPECT_NEAR(stuck / pinned, 1, 0.005);
-  EXPECT_NEAR(slid / sliding, 1, 0.02);  // rounded off by the random displacements
+  EXPECT_NEAR(stuck / pinned, 1, 0.01);  // 0.3 % from the mesh, a step of the force 0.5 %
+  EXPECT_NEAR(slid / sliding, 1, 0.01);
   // hardly any is enough to hold the tip while the wire is straight
   const double hardly = first_peak(1e-4, 0.96 * sliding);
   EXPECT_GT(hardly, 1.02 * slid);
