@@ -179,7 +179,7 @@ std::vector<std::string> findings(const Comparison& comparison) {
   for (const ComparedQuantity& q : comparison.quantities) result.push_back(verdict(q));
   for (const ForceBudget& b : comparison.budgets) {
     result.push_back(fmt::format(
-        "{}: mean force {:.3f} YI/R^2 from the first coil on; {:.3f} is stored, {:.3f} rubbed off, "
+        "{}: mean force {:.3f} YI/R^2 from L = 4 R on; {:.3f} is stored, {:.3f} rubbed off, "
         "{:.3f} viscous: the force {} the change of energy per length",
         name_of(b.way), b.force, b.stored, b.friction, b.viscous,
         b.force >= b.stored ? "exceeds" : "is BELOW"));

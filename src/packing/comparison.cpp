@@ -106,14 +106,14 @@ void add_spool(ComparedQuantity& q, const std::vector<double>& densities, const 
 
 bool rubs(Way way) { return way == Way::quasistatic_friction || way == Way::dynamic_friction; }
 
-// Rows from the first coil to the end of the common range.
+// Rows from the length of 4 R, by which the wire has curled up, to the end of the common range.
 template <class F>
-void for_each_coiled_row(const ComparedRun& run, double largest, F&& f) {
-  const double first_coil = 2 * (1 + pi) * run.scenario.cavity.radius;
+void for_each_curled_row(const ComparedRun& run, double largest, F&& f) {
+  const double curled = 4 * run.scenario.cavity.radius;
   const HistoryRow* before = nullptr;
   for (const HistoryRow& row : run.history) {
     if (row.packing_density > largest * (1 + 1e-9)) break;
-    if (row.inserted_length > first_coil && before != nullptr) f(*before, row);
+    if (row.inserted_length > curled && before != nullptr) f(*before, row);
     before = &row;
   }
 }
@@ -124,7 +124,7 @@ ForceBudget budget_of(const std::vector<ComparedRun>& runs, Way way, double larg
   for_each_run(runs, way, [&](const ComparedRun& run) {
     ForceBudget one{way};
     double length = 0;
-    for_each_coiled_row(run, largest, [&](const HistoryRow& before, const HistoryRow& row) {
+    for_each_curled_row(run, largest, [&](const HistoryRow& before, const HistoryRow& row) {
       const double fed = row.inserted_length - before.inserted_length;
       length += fed;
       one.force += row.force * fed;
@@ -215,17 +215,17 @@ Comparison compare(const std::vector<ComparedRun>& runs) {
   // four increments of the default, which lie evenly about the sawtooth of a growing inlet edge
   const double sawtooth = packing_density(2 * scenario.wire.edge_length, scenario.cavity, a);
   result.window = std::max(sawtooth, 0.008);
-  const double first_coil = packing_density(2 * (1 + pi) * radius, scenario.cavity, a);
+  const double curled = packing_density(4 * radius, scenario.cavity, a);
   for (int k = 1; k <= 40; ++k) {
     const double phi = 0.025 * k;
     if (phi > 0.1 && k % 2 != 0) continue;
-    if (phi - result.window < first_coil) continue;
+    if (phi - result.window < curled) continue;
     if (phi <= result.largest_density * (1 + 1e-9)) result.densities.push_back(phi);
   }
   if (result.densities.empty()) {
     throw InvalidInput(
         "the runs end before there is a density to compare at: the common range must reach beyond "
-        "the first coil; give a later stop");
+        "a length of 4 R, where the wire has curled up; give a larger density");
   }
 
   const double bend = bend_stiffness(scenario);

@@ -13,6 +13,7 @@
 #include "wirepack/feed/feeder.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
+#include "wirepack/packing/imperfection.hpp"
 #include "wirepack/packing/observation.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 #include "wirepack/solve/equilibrium.hpp"
@@ -70,19 +71,12 @@ void insert_rows(GearValues& values, Index tail, const GearValues& rows) {
   values = std::move(grown);
 }
 
-// Brings a node and the frames of its edges to rest among all others, which stay where they are.
-void settle_node(RodState& rod, Index node, const Scenario& scenario) {
+// Brings what is not held to rest, where that is found.
+void settle(RodState& rod, const HeldUnknowns& held, const Scenario& scenario) {
   const StretchEnergy stretch(scenario.wire);
   const JointEnergy joints(scenario.wire);
   const WallEnergy wall(scenario.wire, scenario.cavity, scenario.wall_stiffness);
   TotalEnergy energy(stretch, joints, wall);
-  HeldUnknowns held = HeldUnknowns::none(rod);
-  for (Index i = 0; i < rod.node_count(); ++i) {
-    if (i != node) held.hold_node(i);
-  }
-  for (Index j = 0; j < static_cast<Index>(rod.frames.size()); ++j) {
-    held.angle[static_cast<std::size_t>(j)] = j != node - 1 && j != node;
-  }
   const double bend = stiffness(scenario.wire).bend;
   const double force =
       scenario.minimizer.tolerance * bend / (scenario.cavity.radius * scenario.cavity.radius);
@@ -93,15 +87,27 @@ void settle_node(RodState& rod, Index node, const Scenario& scenario) {
   if (report.end == EquilibriumEnd::converged) rod = std::move(settled);
 }
 
+// Everything but a node and the frames of its edges.
+HeldUnknowns all_but_node(const RodState& rod, Index node) {
+  HeldUnknowns held = HeldUnknowns::none(rod);
+  for (Index i = 0; i < rod.node_count(); ++i) {
+    if (i != node) held.hold_node(i);
+  }
+  for (Index j = 0; j < static_cast<Index>(rod.frames.size()); ++j) {
+    held.angle[static_cast<std::size_t>(j)] = j != node - 1 && j != node;
+  }
+  return held;
+}
+
 // Splits the inlet edge of a moving wire. The new node starts at rest between its neighbours, or it
-// would swing. The derivatives of the new node lie between those of the
-// node behind it and of the wire that comes out of the nozzle; the spin of the edge next to the
-// nozzle between those of the old edge and of the clamp.
+// would swing. The derivatives of the new node lie between those of the node behind it and of the wire
+// that comes out of the nozzle; the spin of the edge next to the nozzle between those of the old edge
+// and of the clamp.
 void split_moving_inlet(DynamicState& state, const Nozzle& nozzle, const Scenario& scenario) {
   follow_nodes(state);
   const double share = scenario.wire.edge_length / state.rod.inlet_rest_length;
   split_inlet(state.rod, nozzle, scenario.wire);
-  settle_node(state.rod, state.rod.node_count() - 2, scenario);
+  settle(state.rod, all_but_node(state.rod, state.rod.node_count() - 2), scenario);
   const Index clamp = state.nodes.rows() - 3;
   GearValues fed = GearValues::Zero(3, 6);
   fed.col(1) = -state.step * state.feed_speed * nozzle.direction;
@@ -154,10 +160,8 @@ std::string unstable_message(const HistoryRow& row, double step) {
 }  // namespace
 
 struct DynamicPacking::Model {
-  explicit Model(const Scenario& scenario)
-      : nozzle(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist)),
-        values(dynamics_values(scenario)),
-        contact(scenario.wire, scenario.contact) {
+  Model(const Scenario& scenario, const Nozzle& at)
+      : nozzle(at), values(dynamics_values(scenario)), contact(scenario.wire, scenario.contact) {
     force_unit = stiffness(scenario.wire).bend / (scenario.cavity.radius * scenario.cavity.radius);
     // a whole number of steps to an increment
     const double time = scenario.insertion.increment / values.insertion_speed;
@@ -175,6 +179,7 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
     : DynamicPacking(scenario, PackingProgress{}) {
   const Scenario& s = scenario_;
   progress_.rod = initial_wire(model_->nozzle, s.wire);
+  settle(progress_.rod, held_by(model_->nozzle, progress_.rod), s);
   progress_.random_state = s.seed;
   DynamicState state = at_rest(progress_.rod, model_->step);
   // All of the wire is on its way from the start.
@@ -198,7 +203,9 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
 DynamicPacking::DynamicPacking(const Scenario& scenario, PackingProgress progress)
     : scenario_(scenario), progress_(std::move(progress)) {
   require_valid(scenario);
-  model_ = std::make_unique<Model>(scenario_);
+  const DrawnSetup drawn = drawn_setup(scenario);
+  scenario_.wire = drawn.wire;
+  model_ = std::make_unique<Model>(scenario_, drawn.nozzle);
 }
 
 DynamicPacking::~DynamicPacking() = default;

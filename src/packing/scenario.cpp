@@ -178,8 +178,6 @@ std::vector<std::string> problems(const Scenario& scenario) {
     std::ostringstream allowed;
     allowed << "must be between 0 and " << largest << " (" << unit << ")";
     require(not_negative(value) && value <= largest, key, value, allowed.str());
-    require(value == 0 || scenario.method == Method::quasistatic, key, value,
-            "is not in this version for packing.method = \"dynamic\"");
   };
   up_to("imperfection.natural_curvature", imperfection.natural_curvature, 1, "over 1 / R");
   require(imperfection.natural_curvature == 0 || scenario.wire.reference_shape.empty(),

@@ -78,7 +78,7 @@ struct Comparison {
 };
 
 /// Sets runs of one scenario side by side, with several seeds or one. The common range ends where the
-/// first of them does. Throws InvalidInput when that is before the first coil.
+/// first of them does. Throws InvalidInput when that is before the wire has curled up (4 R).
 Comparison compare(const std::vector<ComparedRun>& runs);
 
 }  // namespace wirepack

@@ -18,28 +18,31 @@ TEST(StrandSpacing, OfAHexagonalLatticeIsItsConstant) {
             6 * 7 + 6 * 7 + 6 * 6 - 4 * 6);  // all edges but the hull
 }
 
-TEST(StrandSpacing, OfACoilIsTheDistanceOfItsTurnsAndLayers) {
-  // hoops of a spool about z: layers at radii 5 and 5 + d, turns d apart, all crossed by upright planes
+TEST(StrandSpacing, OfAHelixOfWireIsThePitchWhereAPlaneCutsItsTurns) {
+  // Turns of radius 6, seen by a plane through the axis as two rows of crossings: neighbours in a row
+  // are a pitch apart, and all edges of a row but those between both rows are on the hull. A second,
+  // outer layer makes inner edges of the first.
   const double d = 2.3;
-  std::vector<Vec3> nodes;
-  for (int layer = 0; layer < 3; ++layer) {
-    for (int turn = 0; turn < 5; ++turn) {
-      for (int k = 0; k < 60; ++k) {
-        const double angle = 2 * pi * k / 60, radius = 5 + std::sqrt(3.0) / 2 * d * layer;
-        const double height = d * (turn + (layer % 2 == 0 ? 0 : 0.5)) - 2.2 * d;
-        nodes.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
-      }
-    }
+  Eigen::Matrix2Xd points(2, 20);
+  for (Index i = 0; i < 10; ++i) {
+    const double height = d * static_cast<double>(i);
+    points.col(2 * i) = Eigen::Vector2d(0, height);
+    points.col(2 * i + 1) = Eigen::Vector2d(std::sqrt(3.0) / 2 * d, height + d / 2);
   }
-  Points points(3, static_cast<Index>(nodes.size()));
-  for (Index i = 0; i < points.cols(); ++i) points.col(i) = nodes[static_cast<std::size_t>(i)];
+  const StrandSpacing spacing = delaunay_spacing(points);
+  EXPECT_EQ(spacing.pairs, 19 - 2);  // the zigzag between the rows, without both ends
+  EXPECT_NEAR(spacing.mean, d, 1e-12);
+}
+
+TEST(StrandSpacing, CountsStrandsThatCrossAPlaneSteeplyAlone) {
+  // three upright strands, 3 apart, and one that lies almost in the planes that they cross
+  Points nodes(3, 8);
+  nodes << 0, 0, 3, 3, 0, 0, -5, 5,  //
+      0, 0, 0, 0, 2.6, 2.6, 1, 1,    //
+      -40, 40, 40, -40, -40, 40, 0.1, -0.1;
   RodState state;
-  state.nodes = points;
-  const StrandSpacing spacing = strand_spacing(state);
-  EXPECT_GT(spacing.pairs, 20);
-  // planes aslant to the hoops see them further apart, by up to 1 / 0.7
-  EXPECT_GT(spacing.mean, d);
-  EXPECT_LT(spacing.mean, 1.3 * d);
+  state.nodes = nodes;
+  EXPECT_EQ(strand_spacing(state).pairs, 0);  // three points have a hull only
 }
 
 }  // namespace
