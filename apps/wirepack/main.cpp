@@ -98,7 +98,8 @@ int run_program(int count, char** arguments) {
       "Exit codes: 0 done, 2 bad input, 3 no equilibrium found, 4 numerical failure,\n"
       "            5 file error, 75 stopped on a signal with everything saved");
   const std::vector<Command> commands{run_command(program, shell_text(count, arguments)),
-                                      verify_command(program), figures_command(program),
+                                      verify_command(program),
+                                      figures_command(program),
                                       compare_command(program, shell_text(count, arguments)),
                                       analyze_command(program),
                                       fit_command(program, shell_text(count, arguments))};

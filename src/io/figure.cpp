@@ -295,9 +295,9 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
     }
     if (curve.points.empty()) data += "NaN NaN\n";
     data += "\n\n";
-    const char* style = curve.stroke == Stroke::marks         ? "linespoints lw 1.5 pt 7 ps 0.8"
+    const char* style = curve.stroke == Stroke::marks         ? "points pt 7 ps 1"
                         : curve.stroke == Stroke::dashed_line ? "lines lw 1.5 dashtype 2"
-                                                              : "lines lw 0.4";
+                                                              : "lines lw 1";
     const std::string colour = curve.colour == 0 ? "rgb 'black'" : fmt::format("{}", curve.colour);
     commands +=
         fmt::format("{} '{}.dat' index {} with {} lc {} {}", commands.empty() ? "plot" : ",", name,
@@ -315,7 +315,8 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
     range = fmt::format("set yrange [{:.4g}:{:.4g}]\n", 1.1 * bottom, std::max(1e-3, 1.35 * top));
   }
   draw(folder, name, data,
-       curve_style + std::string("set ylabel '") + quantity + "'\n" + range + commands + "\n",
+       curve_style + std::string("set ylabel '") + quantity + "' noenhanced\n" + range + commands +
+           "\n",
        "14cm,10cm", "1200,860");
 }
 

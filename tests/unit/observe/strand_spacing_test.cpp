@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace wirepack {
 namespace {
@@ -18,10 +19,8 @@ TEST(StrandSpacing, OfAHexagonalLatticeIsItsConstant) {
             6 * 7 + 6 * 7 + 6 * 6 - 4 * 6);  // all edges but the hull
 }
 
-TEST(StrandSpacing, OfAHelixOfWireIsThePitchWhereAPlaneCutsItsTurns) {
-  // Turns of radius 6, seen by a plane through the axis as two rows of crossings: neighbours in a row
-  // are a pitch apart, and all edges of a row but those between both rows are on the hull. A second,
-  // outer layer makes inner edges of the first.
+TEST(StrandSpacing, OfTwoRowsIsThatOfTheZigzagBetweenThem) {
+  // All edges along a row are on the hull.
   const double d = 2.3;
   Eigen::Matrix2Xd points(2, 20);
   for (Index i = 0; i < 10; ++i) {
@@ -34,15 +33,29 @@ TEST(StrandSpacing, OfAHelixOfWireIsThePitchWhereAPlaneCutsItsTurns) {
   EXPECT_NEAR(spacing.mean, d, 1e-12);
 }
 
-TEST(StrandSpacing, CountsStrandsThatCrossAPlaneSteeplyAlone) {
-  // three upright strands, 3 apart, and one that lies almost in the planes that they cross
-  Points nodes(3, 8);
-  nodes << 0, 0, 3, 3, 0, 0, -5, 5,  //
-      0, 0, 0, 0, 2.6, 2.6, 1, 1,    //
-      -40, 40, 40, -40, -40, 40, 0.1, -0.1;
+TEST(StrandSpacing, OfHexagonallyPackedStrandsIsTheirDistanceSeenFromTheirSteepPlanes) {
+  // a bundle of straight strands along z, joined far outside; planes whose normal makes the angle A
+  // with z see it stretched by 1 / cos A in one direction, of which A < 45.6 degrees count
+  const double d = 2.5;
+  std::vector<Vec3> nodes;
+  for (int i = 0; i < 9; ++i) {
+    for (int j = 0; j < 9; ++j) {
+      const double x = d * (i - 4 + 0.5 * (j % 2)), y = d * std::sqrt(3.0) / 2 * (j - 4);
+      const double sense = (9 * i + j) % 2 == 0 ? 1 : -1;
+      nodes.emplace_back(x, y, -80 * sense);
+      nodes.emplace_back(x, y, 80 * sense);
+    }
+  }
   RodState state;
-  state.nodes = nodes;
-  EXPECT_EQ(strand_spacing(state).pairs, 0);  // three points have a hull only
+  state.nodes.resize(3, static_cast<Index>(nodes.size()));
+  for (Index i = 0; i < state.nodes.cols(); ++i) {
+    state.nodes.col(i) = nodes[static_cast<std::size_t>(i)];
+  }
+  const StrandSpacing spacing = strand_spacing(state);
+  EXPECT_GT(spacing.pairs, 100);
+  // both planes that count have A = 31.7 degrees: 1 / cos A = 1.175
+  EXPECT_GT(spacing.mean, d);
+  EXPECT_LT(spacing.mean, 1.175 * d);
 }
 
 }  // namespace
