@@ -180,8 +180,8 @@ std::vector<std::string> findings(const Comparison& comparison) {
   for (const ForceBudget& b : comparison.budgets) {
     result.push_back(fmt::format(
         "{}: mean force {:.3f} YI/R^2 from L = 4 R on; {:.3f} is stored, {:.3f} rubbed off, "
-        "{:.3f} viscous: the force {} the change of energy per length",
-        name_of(b.way), b.force, b.stored, b.friction, b.viscous,
+        "{:.3f} viscous, {:.3f} released in jumps: the force {} the change of energy per length",
+        name_of(b.way), b.force, b.stored, b.friction, b.viscous, b.released,
         b.force >= b.stored ? "exceeds" : "is BELOW"));
   }
   for (const ComparedQuantity& q : comparison.quantities) {
@@ -261,8 +261,11 @@ std::string comparison_json(const Comparison& comparison) {
   result["quantities"] = quantities;
   Json budgets = Json::object();
   for (const ForceBudget& b : comparison.budgets) {
-    budgets[std::string(name_of(b.way))] = {
-        {"force", b.force}, {"stored", b.stored}, {"friction", b.friction}, {"viscous", b.viscous}};
+    budgets[std::string(name_of(b.way))] = {{"force", b.force},
+                                            {"stored", b.stored},
+                                            {"friction", b.friction},
+                                            {"viscous", b.viscous},
+                                            {"released", b.released}};
   }
   result["force_budget"] = budgets;
   Json costs = Json::object();

@@ -1,6 +1,5 @@
 #include "wirepack/observe/strand_spacing.hpp"
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -73,23 +72,26 @@ StrandSpacing delaunay_spacing(const Eigen::Matrix2Xd& points) {
   return spacing;
 }
 
-StrandSpacing strand_spacing(const RodState& state) {
-  const double golden = (1 + std::sqrt(5.0)) / 2;
-  const std::array<Vec3, 6> normals{{{0, 1, golden},
-                                     {0, -1, golden},
-                                     {1, golden, 0},
-                                     {-1, golden, 0},
-                                     {golden, 0, 1},
-                                     {golden, 0, -1}}};
+StrandSpacing strand_spacing(const RodState& state, const Points& normals) {
   StrandSpacing total;
   double sum = 0;
-  for (const Vec3& normal : normals) {
-    const StrandSpacing part = delaunay_spacing(crossings(state, normal.normalized()));
+  for (Index k = 0; k < normals.cols(); ++k) {
+    const Vec3 normal = normals.col(k).normalized();
+    const StrandSpacing part = delaunay_spacing(crossings(state, normal));
     sum += part.mean * static_cast<double>(part.pairs);
     total.pairs += part.pairs;
   }
   if (total.pairs > 0) total.mean = sum / static_cast<double>(total.pairs);
   return total;
+}
+
+StrandSpacing strand_spacing(const RodState& state) {
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  Points normals(3, 6);
+  normals << 0, 0, 1, -1, golden, golden,  //
+      1, -1, golden, golden, 0, 0,         //
+      golden, golden, 0, 0, 1, -1;
+  return strand_spacing(state, normals);
 }
 
 }  // namespace wirepack

@@ -130,6 +130,7 @@ ForceBudget budget_of(const std::vector<ComparedRun>& runs, Way way, double larg
       one.force += row.force * fed;
       one.stored +=
           row.energy_total + row.energy_kinetic - before.energy_total - before.energy_kinetic;
+      one.released += row.snap_energy;
       one.friction += row.friction_dissipation;
       one.viscous += row.viscous_dissipation;
     });
@@ -139,11 +140,13 @@ ForceBudget budget_of(const std::vector<ComparedRun>& runs, Way way, double larg
     ++count;
     sum.force += one.force / unit;
     sum.stored += one.stored / unit;
+    sum.released += one.released / unit;
     sum.friction += one.friction / unit;
     sum.viscous += one.viscous / unit;
   });
   if (count > 0) {
-    for (double* v : {&sum.force, &sum.stored, &sum.friction, &sum.viscous}) *v /= count;
+    for (double* v : {&sum.force, &sum.stored, &sum.released, &sum.friction, &sum.viscous})
+      *v /= count;
   }
   return sum;
 }
@@ -252,6 +255,12 @@ Comparison compare(const std::vector<ComparedRun>& runs) {
       rows([=](auto&, const HistoryRow& r) { return r.contacts / r.inserted_length * a; }));
   add("max_overlap", "a", 0.05, false,
       rows([=](auto&, const HistoryRow& r) { return r.max_overlap / a; }));
+
+  std::erase_if(result.quantities, [](const ComparedQuantity& q) {
+    return std::all_of(q.values.begin(), q.values.end(), [](const auto& values) {
+      return std::all_of(values.begin(), values.end(), [](const auto& v) { return !v; });
+    });
+  });
 
   for (const auto& [way, name] : ways) {
     const auto has = std::any_of(runs.begin(), runs.end(),

@@ -13,6 +13,8 @@ struct StrandSpacing {
   Index pairs = 0;  ///< neighbours it is the mean of
 };
 
+/// Over the planes with these normals (3 x M).
+StrandSpacing strand_spacing(const RodState& state, const Points& normals);
 /// Over the six planes whose normals are the axes of an icosahedron.
 StrandSpacing strand_spacing(const RodState& state);
 

@@ -58,6 +58,7 @@ struct ForceBudget {
   Way way;
   double force = 0;     ///< mean injection force
   double stored = 0;    ///< change of elastic, contact and kinetic energy
+  double released = 0;  ///< lost in jumps, of minimizations
   double friction = 0;  ///< dissipated by friction
   double viscous = 0;   ///< dissipated by viscous forces
 };
@@ -72,7 +73,7 @@ struct Comparison {
   double largest_density = 0;     ///< end of the common range
   std::vector<double> densities;  ///< every 0.025 (below 0.1) or 0.05
   double window = 0;              ///< values are means over densities this far to both sides
-  std::vector<ComparedQuantity> quantities;
+  std::vector<ComparedQuantity> quantities;  ///< those that some run has
   std::vector<ForceBudget> budgets;  ///< of all runs with friction, mean over seeds
   std::vector<Cost> costs;           ///< mean over seeds
 };

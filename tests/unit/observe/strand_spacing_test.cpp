@@ -33,9 +33,8 @@ TEST(StrandSpacing, OfTwoRowsIsThatOfTheZigzagBetweenThem) {
   EXPECT_NEAR(spacing.mean, d, 1e-12);
 }
 
-TEST(StrandSpacing, OfHexagonallyPackedStrandsIsTheirDistanceSeenFromTheirSteepPlanes) {
-  // a bundle of straight strands along z, joined far outside; planes whose normal makes the angle A
-  // with z see it stretched by 1 / cos A in one direction, of which A < 45.6 degrees count
+TEST(StrandSpacing, OfHexagonallyPackedStrandsIsTheirDistanceInPlanesThatTheyCrossSteeply) {
+  // a bundle of straight strands along z, joined far outside
   const double d = 2.5;
   std::vector<Vec3> nodes;
   for (int i = 0; i < 9; ++i) {
@@ -51,11 +50,11 @@ TEST(StrandSpacing, OfHexagonallyPackedStrandsIsTheirDistanceSeenFromTheirSteepP
   for (Index i = 0; i < state.nodes.cols(); ++i) {
     state.nodes.col(i) = nodes[static_cast<std::size_t>(i)];
   }
-  const StrandSpacing spacing = strand_spacing(state);
-  EXPECT_GT(spacing.pairs, 100);
-  // both planes that count have A = 31.7 degrees: 1 / cos A = 1.175
-  EXPECT_GT(spacing.mean, d);
-  EXPECT_LT(spacing.mean, 1.175 * d);
+  const StrandSpacing across = strand_spacing(state, Vec3::UnitZ());
+  EXPECT_GT(across.pairs, 150);
+  EXPECT_NEAR(across.mean, d, 1e-9);
+  // 60 degrees off: |t.n| = 1/2, too flat to count
+  EXPECT_EQ(strand_spacing(state, Vec3(std::sqrt(3.0), 0, 1)).pairs, 0);
 }
 
 }  // namespace

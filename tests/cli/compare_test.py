@@ -1,0 +1,43 @@
+"""wirepack compare: both methods on one scenario."""
+
+import json
+import unittest
+
+from support import ProgramTest
+
+SCENARIO = '[packing]\nsetup = "low_torsion"\n\n[cavity]\nradius = 4\n'
+
+
+class Compare(ProgramTest):
+    def test_both_methods_agree_and_the_second_call_goes_on_with_what_is_there(self):
+        self.write("run.toml", SCENARIO)
+        command = ["compare", "run.toml", "-o", "out", "--density", "0.23"]
+        code, out, err = self.run_program(*command)
+        self.assertEqual(code, 0, err)
+        result = json.loads((self.folder / "out" / "comparison.json").read_text())
+        energy = result["quantities"]["bend_energy"]
+        self.assertTrue(energy["agrees"], out)
+        self.assertLess(abs(energy["mean_difference"]), 0.03)
+        budget = result["force_budget"]["dynamic_friction"]
+        self.assertGreater(budget["force"], budget["stored"])
+        page = (self.folder / "out" / "comparison.html").read_text()
+        self.assertIn("<svg", page)
+        self.assertNotIn("src=", page)
+        history = (self.folder / "out" / "dynamic.h5").read_bytes()
+        code, again, err = self.run_program(*command)
+        self.assertEqual((code, again), (0, out), err)
+        self.assertEqual(history, (self.folder / "out" / "dynamic.h5").read_bytes())
+        code, _, err = self.run_program(*command, "--set", "wire.edge_length=0.6")
+        self.assertEqual(code, 2)
+        self.assertIn("is of another configuration", err)
+
+    def test_bad_input_leaves_nothing_behind(self):
+        self.write("run.toml", SCENARIO)
+        code, _, err = self.run_program("compare", "run.toml", "-o", "out", "--density", "1.5")
+        self.assertEqual(code, 2)
+        self.assertIn("stop.density = 1.5", err)
+        self.assertFalse((self.folder / "out").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
