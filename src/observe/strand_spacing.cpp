@@ -1,6 +1,8 @@
 #include "wirepack/observe/strand_spacing.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "wirepack/core/rotation.hpp"
@@ -10,6 +12,7 @@ namespace wirepack {
 namespace {
 
 constexpr double steep = 0.7;
+constexpr double first_shell = 1.5;  // the second shell of a hexagonal lattice is at sqrt(3)
 
 using Vec2 = Eigen::Vector2d;
 
@@ -60,10 +63,18 @@ StrandSpacing delaunay_spacing(const Eigen::Matrix2Xd& points) {
       }
     }
   }
+  Eigen::VectorXd nearest(n);
+  for (Index i = 0; i < n; ++i) {
+    Eigen::VectorXd distances = (points.colwise() - points.col(i)).colwise().norm();
+    distances[i] = std::numeric_limits<double>::infinity();
+    nearest[i] = distances.minCoeff();
+  }
   StrandSpacing spacing;
   for (Index i = 0; i < n; ++i) {
     for (Index j = i + 1; j < n; ++j) {
-      if (triangles(i, j) < 2) continue;
+      if (triangles(i, j) == 0) continue;
+      const double reach = first_shell * std::max(nearest[i], nearest[j]);
+      if ((points.col(i) - points.col(j)).norm() > reach) continue;
       spacing.mean += (points.col(i) - points.col(j)).norm();
       ++spacing.pairs;
     }

@@ -59,7 +59,8 @@ Value spacing_of(const Scenario& scenario, const PackingFrame& frame) {
 Value axis_order(const Scenario& scenario, const PackingFrame& frame) {
   RodState rod = frame.rod;
   rod.twist_guide.assign(static_cast<std::size_t>(rod.node_count()), 0.0);
-  return coil_report(rod, drawn_setup(scenario).nozzle.direction).axis_order;
+  const double order = coil_report(rod, drawn_setup(scenario).nozzle.direction).axis_order;
+  return order != 0 ? Value(order) : std::nullopt;  // 0: not a turn yet
 }
 
 SeedMean mean_over_seeds(const std::vector<double>& values) {

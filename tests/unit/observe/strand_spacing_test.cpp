@@ -15,12 +15,10 @@ TEST(StrandSpacing, OfAHexagonalLatticeIsItsConstant) {
     points.col(i) = d * Eigen::Vector2d(column + row / 2, std::sqrt(3.0) / 2 * row);
   }
   EXPECT_NEAR(delaunay_spacing(points).mean, d, 1e-12);
-  EXPECT_EQ(delaunay_spacing(points).pairs,
-            6 * 7 + 6 * 7 + 6 * 6 - 4 * 6);  // all edges but the hull
+  EXPECT_EQ(delaunay_spacing(points).pairs, 6 * 7 + 7 * 6 + 6 * 6);  // in three directions
 }
 
-TEST(StrandSpacing, OfTwoRowsIsThatOfTheZigzagBetweenThem) {
-  // All edges along a row are on the hull.
+TEST(StrandSpacing, OfTwoRowsCountsTheirNeighboursAndNotTheLongEdgesOfTheHull) {
   const double d = 2.3;
   Eigen::Matrix2Xd points(2, 20);
   for (Index i = 0; i < 10; ++i) {
@@ -29,7 +27,7 @@ TEST(StrandSpacing, OfTwoRowsIsThatOfTheZigzagBetweenThem) {
     points.col(2 * i + 1) = Eigen::Vector2d(std::sqrt(3.0) / 2 * d, height + d / 2);
   }
   const StrandSpacing spacing = delaunay_spacing(points);
-  EXPECT_EQ(spacing.pairs, 19 - 2);  // the zigzag between the rows, without both ends
+  EXPECT_EQ(spacing.pairs, 19 + 2 * 9);  // the zigzag, and along both rows
   EXPECT_NEAR(spacing.mean, d, 1e-12);
 }
 
