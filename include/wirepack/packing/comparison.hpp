@@ -74,8 +74,8 @@ struct Comparison {
   std::vector<double> densities;  ///< every 0.025 (below 0.1) or 0.05
   double window = 0;              ///< values are means over densities this far to both sides
   std::vector<ComparedQuantity> quantities;  ///< those that some run has
-  std::vector<ForceBudget> budgets;  ///< of all runs with friction, mean over seeds
-  std::vector<Cost> costs;           ///< mean over seeds
+  std::vector<ForceBudget> budgets;          ///< of all runs with friction, mean over seeds
+  std::vector<Cost> costs;                   ///< mean over seeds
 };
 
 /// Sets runs of one scenario side by side, with several seeds or one. The common range ends where the
