@@ -205,6 +205,35 @@ TEST(RodMotion, AxialAndTorsionalFrequenciesOfAHeldWireAreExactForTheLumpedChain
       held_frequency(std::sqrt(shear_modulus / density), edges), 1e-5);
 }
 
+// omega = beta^2 / L^2 sqrt(YI / rho A) with cos(beta) cosh(beta) = -1.
+TEST(RodMotion, AClampedWireSwingsAtItsFirstTwoBendingFrequencies) {
+  const Index edges = 40;
+  const RodParams params;
+  const double length = static_cast<double>(edges);
+  const RodState straight_rod = make_rod(straight(edges + 1), params, {.last_clamped = true});
+  HeldUnknowns held = HeldUnknowns::none(straight_rod);
+  held.hold_node(edges);
+  held.angle.back() = true;
+  for (const double beta : {1.875104, 4.694091}) {
+    const double ratio = (std::cosh(beta) + std::cos(beta)) / (std::sinh(beta) + std::sin(beta));
+    Points bent = straight_rod.nodes;
+    for (Index i = 0; i <= edges; ++i) {
+      const double x = beta * (1 - static_cast<double>(i) / length);
+      bent(0, i) = 1e-4 * (std::cosh(x) - std::cos(x) - ratio * (std::sinh(x) - std::sin(x)));
+    }
+    RodState rod = straight_rod;
+    rod.nodes = bent;
+    carry_frames(rod);
+    Wire wire(rod, 0.02, held);
+    const double expected =
+        beta * beta / (length * length) * std::sqrt(stiffness(params).bend / (density * pi));
+    // the mesh: beta^2 / (12 edges^2) of joints and as much of lumped masses
+    EXPECT_NEAR(measured_frequency(wire, [&] { return wire.state.rod.nodes(0, 0); }), expected,
+                3e-3 * expected)
+        << beta;
+  }
+}
+
 TEST(RodMotion, AFallingWireEndsAtTheTerminalVelocityAndAMovingOneSlowsDown) {
   const RodState rod = make_rod(straight(5), RodParams{});
   Wire wire(rod, 0.02, HeldUnknowns::none(rod));
