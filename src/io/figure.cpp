@@ -18,9 +18,6 @@ namespace wirepack {
 
 namespace {
 
-// Strands touch in a full packing; the model is drawn for the spacing seen in the experiment.
-constexpr double spool_spacing = 2.81;  // over a; Stoop et al. 2011, from cross-sections
-
 void write_file(const std::filesystem::path& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
@@ -123,7 +120,7 @@ std::string tube(const SmoothLine& line, double radius) {
 
 SpoolModel spool_of(const Scenario& scenario) {
   return {scenario.cavity, scenario.wire.radius, stiffness(scenario.wire).bend,
-          spool_spacing * scenario.wire.radius};
+          SpoolModel::seen_spacing * scenario.wire.radius};
 }
 
 // Blocks for gnuplot's `index`: one to each run, then the model of each run.

@@ -16,8 +16,6 @@ namespace wirepack {
 
 namespace {
 
-constexpr double spool_spacing = 2.81;  // over a; Stoop et al. 2011, from cross-sections
-
 using Value = std::optional<double>;
 /// Value of a run near a density.
 using Reading = std::function<Value(const ComparedRun&, double density)>;
@@ -239,7 +237,7 @@ Comparison compare(const std::vector<ComparedRun>& runs) {
                                                    std::move(unit), tolerance, relative, reading));
   };
   const auto rows = [&](auto of) { return mean_of_rows(result.window, of); };
-  const SpoolModel spool{scenario.cavity, a, bend, spool_spacing * a};
+  const SpoolModel spool{scenario.cavity, a, bend, SpoolModel::seen_spacing * a};
   result.quantities.reserve(8);
   ComparedQuantity& energy =
       add("bend_energy", "YI/R", 0.03, true,

@@ -56,14 +56,6 @@ WireForces forces_of(const Scenario& scenario, const Nozzle& nozzle) {
   return forces;
 }
 
-void require_valid(const Scenario& scenario) {
-  std::string text;
-  for (const std::string& problem : problems(scenario)) {
-    text += (text.empty() ? "" : "\n") + problem;
-  }
-  if (!text.empty()) throw InvalidInput(text);
-}
-
 // Puts a part into Nordsieck values before the last `tail` rows.
 void insert_rows(GearValues& values, Index tail, const GearValues& rows) {
   GearValues grown(values.rows() + rows.rows(), 6);
@@ -121,7 +113,7 @@ void split_moving_inlet(DynamicState& state, const Nozzle& nozzle, const Scenari
 }
 
 bool is_first_coil(const Scenario& scenario, double length) {
-  return length <= 2 * (1 + pi) * scenario.cavity.radius;
+  return length <= first_coil_length(scenario.cavity);
 }
 
 // The straight wire is a saddle under compression; until the first coil has formed, it is pushed off

@@ -178,8 +178,7 @@ std::optional<StopReason> failure_of(const EquilibriumReport& report) {
 // The straight wire is a saddle under compression; until the first coil has formed, every start is
 // moved off it.
 void perturb(const Scenario& scenario, RodState& rod, std::uint64_t& random_state) {
-  const double first_coil = 2 * (1 + pi) * scenario.cavity.radius;
-  if (total_rest_length(rod, scenario.wire) > first_coil) return;
+  if (total_rest_length(rod, scenario.wire) > first_coil_length(scenario.cavity)) return;
   Random random(random_state);
   const double amplitude = scenario.insertion.perturbation * scenario.wire.radius;
   const FrameChart chart(rod, HeldUnknowns::none(rod));
@@ -210,12 +209,7 @@ QuasistaticPacking::QuasistaticPacking(const Scenario& scenario)
 
 QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, PackingProgress progress)
     : scenario_(scenario), progress_(std::move(progress)) {
-  const std::vector<std::string> found = problems(scenario);
-  if (!found.empty()) {
-    std::string text;
-    for (const std::string& problem : found) text += (text.empty() ? "" : "\n") + problem;
-    throw InvalidInput(text);
-  }
+  require_valid(scenario);
   const DrawnSetup drawn = drawn_setup(scenario);
   scenario_.wire = drawn.wire;
   model_ = std::make_unique<Model>(scenario_, drawn.nozzle);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "wirepack/core/error.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
 #include "wirepack/packing/longest_wire.hpp"
@@ -190,6 +191,14 @@ std::vector<std::string> problems(const Scenario& scenario) {
   require(not_negative(scenario.output.checkpoint_every_seconds), "output.checkpoint_every_seconds",
           scenario.output.checkpoint_every_seconds, "must not be negative");
   return found;
+}
+
+void require_valid(const Scenario& scenario) {
+  std::string text;
+  for (const std::string& problem : problems(scenario)) {
+    text += (text.empty() ? "" : "\n") + problem;
+  }
+  if (!text.empty()) throw InvalidInput(text);
 }
 
 }  // namespace wirepack

@@ -11,6 +11,9 @@ namespace wirepack {
 ///
 /// All functions take a density phi in [0, largest_density()), else they throw InvalidInput.
 struct SpoolModel {
+  /// Spacing of strands over the wire radius that Stoop et al. 2011 read from cross-sections.
+  static constexpr double seen_spacing = 2.81;
+
   SphericalCavity cavity;
   double wire_radius;     ///< a
   double bend_stiffness;  ///< YI

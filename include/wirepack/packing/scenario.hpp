@@ -87,4 +87,12 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
 /// Every impossible value as "key = value: what is allowed"; empty when the scenario is valid.
 std::vector<std::string> problems(const Scenario& scenario);
 
+/// Throws InvalidInput with all problems, a line each, unless there are none.
+void require_valid(const Scenario& scenario);
+
+/// Inserted length by which a first coil has formed; until then the straight wire is perturbed.
+inline double first_coil_length(const SphericalCavity& cavity) {
+  return 2 * (1 + pi) * cavity.radius;
+}
+
 }  // namespace wirepack
