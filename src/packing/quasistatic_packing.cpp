@@ -23,14 +23,18 @@ namespace {
 
 // An increment is taken in halves where it fails; a part this small that fails ends the run.
 constexpr double smallest_substep = 1.0 / 64;
-// Where int F dL misses the change of energy by more than this share (of a force of YI / R^2 at
-// least), the increment is halved until a jump can be told from a kink of the force; what is left
-// then is a snap.
+// What int F dL over an increment misses of the change of energy is put down to a jump where it is
+// beyond what any path between both forces could do, by more than this share (of a force of YI / R^2
+// at least); a jump is a snap, however long the increment. All else is the error of the trapezoid.
 constexpr double resolved_share = 0.02;
+// Increments that miss more than resolved_share are halved, to an eighth, while all errors together
+// are beyond this share of all the work.
+constexpr double error_share = 0.003;
 constexpr double resolving_substep = 1.0 / 8;
 // Whole edges always read the force at the same phase of the mesh, where it is steadily off, by up to
-// this on coarse meshes (l = R / 5). What they miss changes slowly; a jump shows against the edge before.
+// this on coarse meshes (l = R / 5): the mean over some edges before.
 constexpr double mesh_share = 0.05;
+constexpr double mesh_memory = 1.0 / 8;
 
 // What settles by itself when the wire has slid along itself, and how well, over the tolerance of
 // rest: a few nodes are quick, and all else is at rest already.
@@ -253,7 +257,6 @@ std::optional<StopReason> QuasistaticPacking::advance() {
       return reached_limit(scenario_, progress_.last);
     }
     if (progress_.substep <= smallest_substep) return result.failure;
-    if (result.missed_by_edge) progress_.missed_by_edge = *result.missed_by_edge;
     progress_.substep /= 2;
     if (result.failure) ++progress_.rollbacks;
   }
@@ -311,20 +314,26 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   row.friction_dissipation = dissipated;
 
   const double work = fed * (force_before + row.force) / 2;
-  const double missing = work - (rest.energy - energy_before) - against_friction;
   next.balance.work += work;
   const double scale =
       fed * std::max({std::abs(row.force), std::abs(force_before), model_->force_unit});
-  const double share = missing / scale;
-  result.unresolved = std::abs(share) > (slides ? mesh_share : resolved_share);
-  if (slides) {
-    result.unresolved |= share > next.missed_by_edge + resolved_share;
-    result.missed_by_edge = next.missed_by_edge = std::clamp(share, -mesh_share, mesh_share);
-  }
-  if (result.unresolved && missing > 0) {
+  const double missing = work - (rest.energy - energy_before) - against_friction;
+  const double by_mesh = slides ? next.missed_by_edge * scale : 0;
+  const double error = missing - by_mesh;
+  if (error > fed * std::abs(row.force - force_before) / 2 + resolved_share * scale) {
     row.snap_energy = missing;
     next.balance.released += missing;
     ++next.snaps;
+  } else {
+    const double all_errors = next.quadrature_error + error;
+    result.unresolved = std::abs(error) > resolved_share * scale &&
+                        std::abs(all_errors) > std::max(std::abs(next.quadrature_error),
+                                                        error_share * next.balance.work);
+    next.quadrature_error = all_errors;
+    if (slides) {
+      const double share = std::clamp(missing / scale, -mesh_share, mesh_share);
+      next.missed_by_edge += mesh_memory * (share - next.missed_by_edge);
+    }
   }
   next.last = row;
   note_crossings(scenario_, row, next);

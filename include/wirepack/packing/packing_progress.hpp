@@ -53,8 +53,10 @@ struct PackingProgress {
   std::uint64_t random_state = 0;       ///< of the perturbations
   std::vector<SlipMemory> slip_memory;  ///< of the contacts with friction
   double substep = 1;                   ///< part of an increment that is taken at a time, 2^-k
-  /// Share of the last whole edge's work that its energy does not show; the mesh at the inlet keeps it.
+  /// Share of a whole edge's work that its energy does not show, as the mesh at the inlet keeps it: a
+  /// mean over the last edges.
   double missed_by_edge = 0;
+  double quadrature_error = 0;  ///< of the work so far: residue beyond what the mesh keeps
   double last_frame_density = -1;
   std::vector<ForceCrossing> scaled_crossings;    ///< of F R^2 / YI
   std::vector<ForceCrossing> absolute_crossings;  ///< of F / (Y a^2)

@@ -38,8 +38,7 @@ class QuasistaticPacking {
  private:
   struct StepResult {
     std::optional<StopReason> failure;
-    bool unresolved = false;  ///< force and energy disagree over the step: a jump or a kink
-    std::optional<double> missed_by_edge;  ///< of PackingProgress; of increments of a whole edge
+    bool unresolved = false;  ///< the work over the step is not known well enough
     SolverWork work;
   };
   /// Takes `next`, a copy of the progress, one step further; on failure the copy is useless.
