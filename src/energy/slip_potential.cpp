@@ -36,10 +36,34 @@ const SlipMemory* recall(std::span<const SlipMemory> memory, const EdgePair& edg
   return found;
 }
 
+// All nodes but the last, which the nozzle holds.
+Index rubbing_nodes(const RodState& state) {
+  return state.ends.last_clamped ? state.node_count() - 1 : state.node_count();
+}
+
+Vec3 point_of(const RodState& state, Index edge, double s) {
+  return (0.5 - s) * state.nodes.col(edge) + (0.5 + s) * state.nodes.col(next_node(state, edge));
+}
+
+// Share of the way after which a gap that shrinks from the first to the second, negative one is zero.
+double way_to_touch(double first, double second) {
+  return first > 0 ? first / (first - second) : 0.0;
+}
+
+// Puts one edge of `out` where it is after this share of the straight way from `before` to `now`.
+void move_edge(Index edge, const RodState& before, const RodState& now, double way, RodState& out) {
+  for (const Index i : {edge, next_node(now, edge)}) {
+    out.nodes.col(i) = (1 - way) * before.nodes.col(i) + way * now.nodes.col(i);
+  }
+  const auto j = static_cast<std::size_t>(edge);
+  out.frames[j] = before.frames[j].slerp(way, now.frames[j]);
+}
+
 }  // namespace
 
-SlipPotential::SlipPotential(const RodParams& params, const FrictionParams& friction)
-    : params_(params), friction_(friction) {}
+SlipPotential::SlipPotential(const RodParams& params, const SphericalCavity& cavity,
+                             const FrictionParams& friction)
+    : params_(params), cavity_(cavity), friction_(friction) {}
 
 void SlipPotential::start(const RodState& state, std::span<const SelfContact> touches,
                           const Eigen::VectorXd& wall_forces, std::span<const SlipMemory> memory) {
@@ -58,8 +82,7 @@ void SlipPotential::start(const RodState& state, std::span<const SelfContact> to
     contacts_.push_back({edges, anchor_with(spring), stiffness, limit,
                          limit + (known != nullptr ? known->slid : 0)});
   };
-  const Index held = state.ends.last_clamped ? state.node_count() - 1 : state.node_count();
-  for (Index i = 0; i < held; ++i) {
+  for (Index i = 0; i < rubbing_nodes(state); ++i) {
     if (wall_forces[i] <= 0) continue;
     add({i, wall}, wall_forces[i], wall_slip(state, i, params_.radius),
         [&](const Vec3& spring) { return wall_anchor(state, params_, i, spring); });
@@ -72,6 +95,54 @@ void SlipPotential::start(const RodState& state, std::span<const SelfContact> to
           return strand_anchor(state, params_, i, line.s, j, line.t, line.separation, spring);
         });
   }
+}
+
+bool SlipPotential::is_held(const EdgePair& edges) const {
+  const bool on_wall = edges.second == wall;
+  const Index near = on_wall ? 0 : reach;
+  return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact& c) {
+    return c.anchor.on_wall == on_wall && std::abs(c.edges.first - edges.first) <= near &&
+           std::abs(c.edges.second - edges.second) <= near;
+  });
+}
+
+Index SlipPotential::join(const RodState& before, const RodState& now,
+                          std::span<const SelfContact> touches,
+                          const Eigen::VectorXd& wall_forces) {
+  if (friction_.model == FrictionModel::none || friction_.static_coefficient == 0) return 0;
+  const double tolerance = friction_.slip_tolerance * params_.radius;
+  std::vector<Contact> joining;
+  const auto add = [&](const EdgePair& edges, double normal_force, const SurfaceAnchor& anchor) {
+    const double stiffness = friction_.static_coefficient * normal_force / tolerance;
+    joining.push_back(
+        {edges, anchor, stiffness, tolerance, tolerance + anchor.slip(now, params_).u.norm()});
+  };
+  RodState touch_state = before;
+  touch_state.inlet_rest_length = now.inlet_rest_length;
+  for (Index i = 0; i < rubbing_nodes(now); ++i) {
+    if (wall_forces[i] <= 0 || is_held({i, wall})) continue;
+    const double way = way_to_touch(wall_gap(cavity_, before.nodes.col(i), params_.radius),
+                                    wall_gap(cavity_, now.nodes.col(i), params_.radius));
+    if (i > 0) move_edge(i - 1, before, now, way, touch_state);
+    if (i < now.edge_count()) move_edge(i, before, now, way, touch_state);
+    add({i, wall}, wall_forces[i], wall_anchor(touch_state, params_, i, Vec3::Zero()));
+  }
+  for (const SelfContact& touch : touches) {
+    const auto& [i, j] = touch.edges;
+    if (is_held(touch.edges)) continue;
+    const double s = touch.line.s, t = touch.line.t;
+    const auto gap = [&](const RodState& state) {
+      return (point_of(state, i, s) - point_of(state, j, t)).norm() - 2 * params_.radius;
+    };
+    const double way = way_to_touch(gap(before), -touch.overlap);
+    move_edge(i, before, now, way, touch_state);
+    move_edge(j, before, now, way, touch_state);
+    const Vec3 separation = point_of(touch_state, i, s) - point_of(touch_state, j, t);
+    add(touch.edges, touch.force,
+        strand_anchor(touch_state, params_, i, s, j, t, separation, Vec3::Zero()));
+  }
+  contacts_.insert(contacts_.end(), joining.begin(), joining.end());
+  return static_cast<Index>(joining.size());
 }
 
 double SlipPotential::add_gradient(const RodState& state, Gradient& gradient) const {

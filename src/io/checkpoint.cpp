@@ -179,8 +179,8 @@ void write_progress(hid_t file, const PackingProgress& progress) {
   replace_table(checkpoint, "twist_guide", list_of(rod.twist_guide));
   replace_table(checkpoint, "slip_memory", table_of(progress.slip_memory));
   for_each_checkpoint_scalar(progress, write_to(checkpoint));
-  write_attribute(checkpoint, "missed_by_edge", progress.missed_by_edge);
-  write_attribute(checkpoint, "quadrature_error", progress.quadrature_error);
+  write_attribute(checkpoint, "missed_by_edge", progress.work_errors.edge_share);
+  write_attribute(checkpoint, "trapezoid_error", progress.work_errors.trapezoid);
   for_each_end(progress, [&](const char* name, bool value) {
     write_attribute(checkpoint, name, static_cast<std::int64_t>(value));
   });
@@ -239,8 +239,8 @@ PackingProgress read_progress(hid_t file) {
   }
   for_each_checkpoint_scalar(progress, read_from(checkpoint));
   if (has_attribute(checkpoint, "missed_by_edge")) {  // files of 0.1.0 have none
-    progress.missed_by_edge = read_attribute<double>(checkpoint, "missed_by_edge");
-    progress.quadrature_error = read_attribute<double>(checkpoint, "quadrature_error");
+    progress.work_errors.edge_share = read_attribute<double>(checkpoint, "missed_by_edge");
+    progress.work_errors.trapezoid = read_attribute<double>(checkpoint, "trapezoid_error");
   }
   require_sizes(rod);
   const Hdf5Handle last = open_group(checkpoint, "last");

@@ -23,18 +23,8 @@ namespace {
 
 // An increment is taken in halves where it fails; a part this small that fails ends the run.
 constexpr double smallest_substep = 1.0 / 64;
-// What int F dL over an increment misses of the change of energy is put down to a jump where it is
-// beyond what any path between both forces could do, by more than this share (of a force of YI / R^2
-// at least); a jump is a snap, however long the increment. All else is the error of the trapezoid.
-constexpr double resolved_share = 0.02;
-// Increments that miss more than resolved_share are halved, to an eighth, while all errors together
-// are beyond this share of all the work.
-constexpr double error_share = 0.003;
+// Where its work is not known well enough, an increment is taken in halves down to this part.
 constexpr double resolving_substep = 1.0 / 8;
-// Whole edges always read the force at the same phase of the mesh, where it is steadily off, by up to
-// this on coarse meshes (l = R / 5): the mean over some edges before.
-constexpr double mesh_share = 0.05;
-constexpr double mesh_memory = 1.0 / 8;
 
 // What settles by itself when the wire has slid along itself, and how well, over the tolerance of
 // rest: a few nodes are quick, and all else is at rest already.
@@ -75,7 +65,7 @@ struct QuasistaticPacking::Model {
         joints(scenario.wire, joint_stiffness(scenario)),
         wall(scenario.wire, scenario.cavity, scenario.wall_stiffness),
         contact(scenario.wire, scenario.contact),
-        friction(scenario.wire, scenario.friction),
+        friction(scenario.wire, scenario.cavity, scenario.friction),
         nozzle(at) {
     const double bend = stiffness(scenario.wire).bend;
     force_unit = bend / (scenario.cavity.radius * scenario.cavity.radius);
@@ -148,17 +138,27 @@ SolverWork settle_tip(const Scenario& scenario, QuasistaticPacking::Model& model
   return solve(scenario, model, rod, held, options).work;
 }
 
+std::vector<SelfContact> contacts_of(const Scenario& scenario, QuasistaticPacking::Model& model,
+                                     const RodState& rod) {
+  if (!scenario.contact_enabled) return {};
+  model.contact.prepare(rod);
+  return model.contact.contacts(rod);
+}
+
 // Friction looks back to this state until the next one is at rest.
 SlipWork start_friction(const Scenario& scenario, QuasistaticPacking::Model& model,
                         const RodState& rod, std::span<const SlipMemory> memory) {
   if (scenario.friction.model == FrictionModel::none) return {};
-  std::vector<SelfContact> contacts;
-  if (scenario.contact_enabled) {
-    model.contact.prepare(rod);
-    contacts = model.contact.contacts(rod);
-  }
-  model.friction.start(rod, contacts, model.wall.forces(rod), memory);
+  model.friction.start(rod, contacts_of(scenario, model, rod), model.wall.forces(rod), memory);
   return model.friction.work(rod);
+}
+
+// Contacts that have formed since `before` take part from where they came into touch on.
+Index join_friction(const Scenario& scenario, QuasistaticPacking::Model& model,
+                    const RodState& before, const RodState& rod) {
+  if (scenario.friction.model == FrictionModel::none) return 0;
+  return model.friction.join(before, rod, contacts_of(scenario, model, rod),
+                             model.wall.forces(rod));
 }
 
 struct Rest {
@@ -271,11 +271,14 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   double force_before = next.last.force;
   double dissipated = 0;
   // Goes to rest from where friction has started; what rest is left with is elastic energy alone.
-  const auto relax_with_friction = [&](const SlipWork& at_start) {
-    EquilibriumReport rest = relax(scenario_, *model_, rod);
-    result.work += rest.work;
-    next.rollbacks += rest.work.rounds_taken_back;
-    result.failure = failure_of(rest);
+  const auto relax_with_friction = [&](const RodState& before, const SlipWork& at_start) {
+    EquilibriumReport rest;
+    do {
+      rest = relax(scenario_, *model_, rod);
+      result.work += rest.work;
+      next.rollbacks += rest.work.rounds_taken_back;
+      result.failure = failure_of(rest);
+    } while (!result.failure && join_friction(scenario_, *model_, before, rod) > 0);
     const SlipWork work = model_->friction.work(rod);
     rest.energy -= work.stored + work.dissipated;
     next.slip_memory = model_->friction.memory(rod);
@@ -286,13 +289,15 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   };
   if (!slides && split_is_due(rod, scenario_.wire)) {
     split_inlet(rod, model_->nozzle, scenario_.wire);
+    const RodState before = rod;
     const Rest split =
-        relax_with_friction(start_friction(scenario_, *model_, rod, next.slip_memory));
+        relax_with_friction(before, start_friction(scenario_, *model_, rod, next.slip_memory));
     if (result.failure) return result;
     next.balance.remeshing += energy_before - split.report.energy - split.against_friction;
     energy_before = split.report.energy;
     force_before = split.report.inlet_length_force;
   }
+  const RodState before = rod;
   const SlipWork at_start = start_friction(scenario_, *model_, rod, next.slip_memory);
   perturb(scenario_, rod, next.random_state);
   if (slides) {
@@ -301,7 +306,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   } else {
     insert(rod, fed);
   }
-  const auto [rest, against_friction] = relax_with_friction(at_start);
+  const auto [rest, against_friction] = relax_with_friction(before, at_start);
   if (result.failure) return result;
   HistoryRow row = observe(scenario_, model_->contact, rod);
   row.increment = next.last.increment + 1;
@@ -313,28 +318,13 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   row.wall_seconds = next.last.wall_seconds;
   row.friction_dissipation = dissipated;
 
-  const double work = fed * (force_before + row.force) / 2;
-  next.balance.work += work;
-  const double scale =
-      fed * std::max({std::abs(row.force), std::abs(force_before), model_->force_unit});
-  const double missing = work - (rest.energy - energy_before) - against_friction;
-  const double by_mesh = slides ? next.missed_by_edge * scale : 0;
-  const double error = missing - by_mesh;
-  if (error > fed * std::abs(row.force - force_before) / 2 + resolved_share * scale) {
-    row.snap_energy = missing;
-    next.balance.released += missing;
-    ++next.snaps;
-  } else {
-    const double all_errors = next.quadrature_error + error;
-    result.unresolved = std::abs(error) > resolved_share * scale &&
-                        std::abs(all_errors) > std::max(std::abs(next.quadrature_error),
-                                                        error_share * next.balance.work);
-    next.quadrature_error = all_errors;
-    if (slides) {
-      const double share = std::clamp(missing / scale, -mesh_share, mesh_share);
-      next.missed_by_edge += mesh_memory * (share - next.missed_by_edge);
-    }
-  }
+  const WorkBooking booking =
+      book({fed, force_before, row.force, rest.energy - energy_before + against_friction,
+            model_->force_unit, slides},
+           next.balance, next.work_errors);
+  result.unresolved = !booking.resolved;
+  row.snap_energy = booking.released;
+  if (booking.released > 0) ++next.snaps;
   next.last = row;
   note_crossings(scenario_, row, next);
   return result;

@@ -140,7 +140,7 @@ double first_peak(double mu, double start) {
   const double radius = 40, span = 2 * (radius - 1);
   const Index edges = 24;
   Scenario scenario = default_scenario(Setup::low_torsion, {radius});
-  scenario.wire.stretch_multiplier = 0.2;  // small steps of the force
+  scenario.wire.stretch_multiplier = 0.1;  // small steps of the force
   scenario.minimizer.tolerance = 1e-5;     // a weakly unstable wire is not at rest
   if (mu > 0) scenario.friction = {FrictionModel::coulomb, mu, mu, 0.01};
   const Stiffness stiff = stiffness(scenario.wire);
@@ -150,7 +150,7 @@ double first_peak(double mu, double start) {
   scenario.wire.edge_length = length;
   scenario.insertion.increment = length / 1000;
   scenario.stop = {};
-  scenario.stop.increments = 1000;
+  scenario.stop.increments = 2000;
   PackingProgress progress;
   Points nodes = Points::Zero(3, edges + 1);
   for (Index i = 0; i <= edges; ++i) {

@@ -32,7 +32,7 @@ struct RubbingWire {
     StretchEnergy stretch(params);
     JointEnergy joints(params);
     WallEnergy wall(params, cavity, params.youngs_modulus);
-    SlipPotential slip(params, friction);
+    SlipPotential slip(params, cavity, friction);
     slip.start(rod, {}, wall.forces(rod), memory);
     change();
     LoadEnergy load(params, loads);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wirepack/contact/cavity.hpp"
 #include "wirepack/contact/friction_params.hpp"
 #include "wirepack/contact/surface_anchor.hpp"
 #include "wirepack/energy/energy_term.hpp"
@@ -33,16 +34,22 @@ struct SlipWork {
 /// contact is held by up to k e = mu_s N; where it slid in the last increment, by more than the slip
 /// tolerance, e = slip tolerance mu_d / mu_s, and it is held by up to mu_d N. What u has gone beyond e is
 /// dissipated, the rest is kept in a spring that the next increment starts with, so what rests does
-/// not creep. Contacts that form within an increment are held from the next one on.
+/// not creep.
 class SlipPotential {
  public:
   static constexpr std::string_view name = "friction";
-  SlipPotential(const RodParams& params, const FrictionParams& friction);
+  SlipPotential(const RodParams& params, const SphericalCavity& cavity,
+                const FrictionParams& friction);
 
   /// An increment starts at `state` with these contacts, forces of the wall on nodes (N), and what
   /// the last increment handed on. Every node but the last, which the nozzle holds, is held by the wall.
   void start(const RodState& state, std::span<const SelfContact> touches,
              const Eigen::VectorXd& wall_forces, std::span<const SlipMemory> memory);
+  /// Adds the contacts that have formed on the way from the start of the increment, `before`, to `now`,
+  /// with the forces that they have now: each is held from where it came into touch, if the way was
+  /// straight. Contacts handed on between neighbouring edges are old ones. Returns how many are new.
+  Index join(const RodState& before, const RodState& now, std::span<const SelfContact> touches,
+             const Eigen::VectorXd& wall_forces);
 
   double add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
@@ -59,7 +66,10 @@ class SlipPotential {
     double expected;          ///< |u| to reckon with
   };
 
+  bool is_held(const EdgePair& edges) const;
+
   RodParams params_;
+  SphericalCavity cavity_;
   FrictionParams friction_;
   std::vector<Contact> contacts_;
 };

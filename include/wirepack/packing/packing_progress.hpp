@@ -7,28 +7,11 @@
 #include "wirepack/dynamics/equation_of_motion.hpp"
 #include "wirepack/dynamics/gear_values.hpp"
 #include "wirepack/energy/slip_potential.hpp"
-#include "wirepack/packing/history.hpp"
+#include "wirepack/packing/work_balance.hpp"
 #include "wirepack/rod/rod_state.hpp"
 #include "wirepack/solve/solver_work.hpp"
 
 namespace wirepack {
-
-/// int F dL against the energy: work = energy + released + remeshing + friction + contact_springs +
-/// viscous + residue.
-struct WorkBalance {
-  double work = 0;       ///< trapezoidal sum of the explicit force over the inserted length
-  double released = 0;   ///< lost in snaps
-  double remeshing = 0;  ///< energy that splits of the inlet edge have taken away (may be < 0)
-  double friction = 0;   ///< dissipated by friction
-  double contact_springs = 0;  ///< put into the springs of contacts that stick (SlipPotential)
-  double viscous = 0;          ///< dissipated by viscous forces
-};
-
-/// What of the work has gone nowhere; `last` is the row up to which the balance goes.
-inline double residue(const WorkBalance& balance, const HistoryRow& last) {
-  return balance.work - last.energy_total - last.energy_kinetic - balance.released -
-         balance.remeshing - balance.friction - balance.contact_springs - balance.viscous;
-}
 
 /// Density at which the force first went through a level; phi_max at any threshold can be read off
 /// afterwards. Levels are decades and half-decades (1, sqrt(10), 10, ...).
@@ -53,10 +36,7 @@ struct PackingProgress {
   std::uint64_t random_state = 0;       ///< of the perturbations
   std::vector<SlipMemory> slip_memory;  ///< of the contacts with friction
   double substep = 1;                   ///< part of an increment that is taken at a time, 2^-k
-  /// Share of a whole edge's work that its energy does not show, as the mesh at the inlet keeps it: a
-  /// mean over the last edges.
-  double missed_by_edge = 0;
-  double quadrature_error = 0;  ///< of the work so far: residue beyond what the mesh keeps
+  WorkErrors work_errors;
   double last_frame_density = -1;
   std::vector<ForceCrossing> scaled_crossings;    ///< of F R^2 / YI
   std::vector<ForceCrossing> absolute_crossings;  ///< of F / (Y a^2)

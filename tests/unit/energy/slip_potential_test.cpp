@@ -81,7 +81,7 @@ struct Touching {
     return sum;
   }
   SlipPotential potential(std::span<const SlipMemory> memory = {}) const {
-    SlipPotential slip(RodParams{}, friction);
+    SlipPotential slip(RodParams{}, SphericalCavity{}, friction);
     slip.start(rod, touches, no_wall, memory);
     return slip;
   }
@@ -225,7 +225,7 @@ TEST(SlipPotential, AWireRollsOnTheWallFreelyAndSkidsOnItForMuN) {
   nodes << -1, 0, 1, 0, 0, 0, -9, -9, -9;  // along x, on the bottom of a cavity
   const RodParams params;
   const RodState rod = make_rod(nodes, params);
-  SlipPotential potential(params, friction);
+  SlipPotential potential(params, SphericalCavity{}, friction);
   Eigen::VectorXd forces(3);
   forces << 0, 2, 0;
   potential.start(rod, {}, forces, {});
@@ -244,7 +244,7 @@ TEST(SlipPotential, WhatRestsKeepsItsSpringAndWhatSlidIsHeldByTheDynamicCoeffici
   const Touching touching(two_legs(0));
   const double n = touching.normal_force();
   const auto pull = [&](const RodState& from, double way, std::vector<SlipMemory>& memory) {
-    SlipPotential potential(RodParams{}, friction);
+    SlipPotential potential(RodParams{}, SphericalCavity{}, friction);
     // contacts and forces of the first state: what is handed on is at issue
     potential.start(from, touching.touches, touching.no_wall, memory);
     RodState rod = from;
@@ -265,6 +265,63 @@ TEST(SlipPotential, WhatRestsKeepsItsSpringAndWhatSlidIsHeldByTheDynamicCoeffici
   EXPECT_NEAR(pull(touching.rod, 0.1, memory), 0.2, 1e-5);     // slides on
   EXPECT_NEAR(pull(touching.rod, 0, memory), 0.2, 1e-5);       // stops, and keeps the force
   EXPECT_NEAR(pull(touching.rod, 0.002, memory), 0.26, 1e-4);  // rests: up to the static one again
+}
+
+// The lower leg comes up by four overlaps, of which the last one presses, while it moves sideways: of
+// that way a quarter is against friction.
+TEST(SlipPotential, AContactThatFormsOnTheWayIsHeldFromWhereItTouchesOn) {
+  const Touching now(two_legs(pi / 2));
+  const auto from = [&](double way) {
+    RodState rod = now.rod;
+    for (Index i = 0; i < rod.node_count(); ++i) {
+      if (lies_below(rod, i)) rod.nodes.col(i) -= Vec3(way, 0, 4 * overlap);
+    }
+    return rod;
+  };
+  const double n = now.normal_force();
+  const auto held_after = [&](double way) {
+    SlipPotential potential(RodParams{}, SphericalCavity{}, friction);
+    const RodState before = from(way);
+    potential.start(before, {}, now.no_wall, {});
+    EXPECT_EQ(potential.join(before, now.rod, now.touches, now.no_wall),
+              static_cast<Index>(now.touches.size()));
+    EXPECT_EQ(potential.join(before, now.rod, now.touches, now.no_wall), 0);  // once
+    Gradient gradient;
+    set_zero(gradient, now.rod);
+    potential.add_gradient(now.rod, gradient);
+    return force_on_lower_leg(now.rod, gradient) / n;
+  };
+  // a quarter of 0.02 is half the slip tolerance, of which the approach along the tilted normal is a part
+  EXPECT_NEAR(held_after(0.02), 0.3 * 0.5 * (1 - overlap / 2), 1e-4);
+  EXPECT_NEAR(held_after(0.4), 0.3, 1e-2);
+}
+
+TEST(SlipPotential, AContactHandedOnToNeighbouringEdgesIsNotANewOne) {
+  const Touching touching(two_legs(0));
+  SlipPotential potential = touching.potential();
+  std::vector<SelfContact> handed_on = touching.touches;
+  for (SelfContact& touch : handed_on) ++touch.edges.second;
+  EXPECT_EQ(potential.join(touching.rod, touching.rod, handed_on, touching.no_wall), 0);
+}
+
+TEST(SlipPotential, ANodeThatComesToTheWallIsHeldThereFromThenOn) {
+  const RodState rod = [] {
+    Points nodes(3, 3);
+    nodes << -1, 0, 1, 9.1, 9.1, 9.1, 0, 0, 0;
+    return make_rod(nodes, RodParams{});
+  }();
+  RodState before = rod;
+  before.nodes.row(1).array() -= 0.2;  // its gap was 0.1 there, and is -0.1
+  before.nodes.row(2).array() -= 0.02;
+  SlipPotential potential(RodParams{}, SphericalCavity{10}, friction);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(3), middle = Eigen::VectorXd::Unit(3, 1);
+  potential.start(before, {}, none, {});
+  EXPECT_EQ(potential.join(before, rod, {}, middle), 1);
+  Gradient gradient;
+  set_zero(gradient, rod);
+  potential.add_gradient(rod, gradient);
+  // half the way of 0.02, which is the slip tolerance: on the verge of sliding
+  EXPECT_NEAR(gradient.node(2, 1), 0.3, 3e-3);
 }
 
 }  // namespace

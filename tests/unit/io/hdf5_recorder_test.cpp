@@ -60,8 +60,8 @@ PackingProgress progress_of(int increment, Index nodes) {
   p.balance = {1.0 / 3, 2.0 / 3, -1e-17};
   p.random_state = 0xFEDCBA9876543210u;
   p.substep = 0.125;
-  p.missed_by_edge = -0.02 / 3;
-  p.quadrature_error = 0.1 / 7;
+  p.work_errors.edge_share = -0.02 / 3;
+  p.work_errors.trapezoid = 0.1 / 7;
   p.last_frame_density = 0.3;
   p.scaled_crossings = {{1, 0.1}, {std::sqrt(10.0), 0.2}};
   p.snaps = 4;
@@ -119,8 +119,8 @@ TEST_F(Hdf5File, progress_comes_back_bit_for_bit_also_when_it_was_replaced) {
     EXPECT_EQ(back.balance.remeshing, p.balance.remeshing);
     EXPECT_EQ(back.random_state, p.random_state);
     EXPECT_EQ(back.substep, p.substep);
-    EXPECT_EQ(back.missed_by_edge, p.missed_by_edge);
-    EXPECT_EQ(back.quadrature_error, p.quadrature_error);
+    EXPECT_EQ(back.work_errors.edge_share, p.work_errors.edge_share);
+    EXPECT_EQ(back.work_errors.trapezoid, p.work_errors.trapezoid);
     EXPECT_EQ(back.last_frame_density, p.last_frame_density);
     ASSERT_EQ(back.scaled_crossings.size(), 2u);
     EXPECT_EQ(back.scaled_crossings[1].level, std::sqrt(10.0));

@@ -1,0 +1,43 @@
+#include "wirepack/packing/work_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wirepack {
+
+namespace {
+
+// Of the work over an increment (of a force of YI / R^2 at least): less than this is no matter.
+constexpr double resolved_share = 0.02;
+// Of all work: as long as errors are within this share, increments need not be halved.
+constexpr double error_share = 0.003;
+// What the mesh may keep of the work over a whole edge, and the weight of a new edge in its mean.
+constexpr double largest_edge_share = 0.02;
+constexpr double edge_weight = 1.0 / 8;
+
+}  // namespace
+
+WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors) {
+  const double work = step.fed * (step.force_before + step.force) / 2;
+  const double uncertain = step.fed * std::abs(step.force - step.force_before) / 2;
+  const double scale =
+      step.fed * std::max({std::abs(step.force), std::abs(step.force_before), step.force_unit});
+  balance.work += work;
+  const double allowed = error_share * balance.work;
+  const double missing = work - step.spent;
+  if (!step.whole_edge && missing > uncertain + resolved_share * scale) {
+    balance.released += missing;
+    return {missing, uncertain <= std::max(allowed, resolved_share * scale)};
+  }
+  const double error = missing - (step.whole_edge ? errors.edge_share * scale : 0);
+  const double before = std::abs(errors.trapezoid);
+  errors.trapezoid += error;
+  if (step.whole_edge) {
+    const double share = std::clamp(missing / scale, -largest_edge_share, largest_edge_share);
+    errors.edge_share += edge_weight * (share - errors.edge_share);
+  }
+  const bool small = std::abs(error) <= resolved_share * scale;
+  return {0, small || std::abs(errors.trapezoid) <= std::max(before, allowed)};
+}
+
+}  // namespace wirepack

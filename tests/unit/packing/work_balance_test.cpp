@@ -1,0 +1,63 @@
+#include "wirepack/packing/work_balance.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wirepack {
+namespace {
+
+constexpr double unit = 1;
+
+WorkStep step(double before, double after, double spent, bool whole_edge = false) {
+  return {0.5, before, after, spent, unit, whole_edge};
+}
+
+TEST(WorkBalance, WhatNoForceBetweenBothEndsCouldDoIsReleasedInASnap) {
+  WorkBalance balance;
+  balance.work = 100;
+  WorkErrors errors;
+  // at 2 and 3 the work is 1.25, and at least 1 without a snap
+  const WorkBooking snap = book(step(2, 3, 0.9), balance, errors);
+  EXPECT_DOUBLE_EQ(snap.released, 0.35);
+  EXPECT_TRUE(snap.resolved);
+  EXPECT_DOUBLE_EQ(balance.work, 101.25);
+  EXPECT_DOUBLE_EQ(balance.released, 0.35);
+  EXPECT_EQ(errors.trapezoid, 0);
+}
+
+TEST(WorkBalance, AKinkIsAnErrorThatIsLeftWhileAllErrorsAreAThirdOfAPercentOfTheWork) {
+  WorkBalance balance;
+  balance.work = 100;
+  WorkErrors errors;
+  for (int k = 1; k <= 4; ++k) {
+    const WorkBooking kink = book(step(2, 3, 1.15), balance, errors);
+    EXPECT_EQ(kink.released, 0);
+    EXPECT_EQ(kink.resolved, k < 4) << k;  // 0.1 each, of 0.3 and a little
+    EXPECT_NEAR(errors.trapezoid, 0.1 * k, 1e-14);
+  }
+  EXPECT_TRUE(book(step(2, 3, 1.35), balance, errors).resolved);  // the other way is welcome
+  EXPECT_TRUE(book(step(2, 2, 0.99), balance, errors).resolved);  // and 1 % is no matter
+}
+
+TEST(WorkBalance, AFirstSnapIsFollowedInHalvesUntilItsSizeIsKnown) {
+  WorkBalance balance;
+  WorkErrors errors;
+  EXPECT_FALSE(book({0.5, 6, 1, -1, unit, false}, balance, errors).resolved);
+  EXPECT_TRUE(book({0.5, 1.01, 1, -1, unit, false}, balance, errors).resolved);
+}
+
+TEST(WorkBalance, TheMeshMayKeepTwoPercentOfWholeEdgesAndWhatIsMoreIsAnError) {
+  WorkBalance balance;
+  balance.work = 100;
+  WorkErrors errors;
+  for (int k = 0; k < 60; ++k) book(step(2, 2, 1.01, true), balance, errors);
+  EXPECT_NEAR(errors.edge_share, -0.01, 1e-5);
+  EXPECT_NEAR(errors.trapezoid, -0.01 * 8, 1e-3);  // until the mean was known
+  errors = {};
+  EXPECT_EQ(book(step(2, 2, 0.5, true), balance, errors).released, 0);
+  EXPECT_DOUBLE_EQ(errors.trapezoid, 0.5);
+  for (int k = 0; k < 100; ++k) book(step(2, 2, 0.5, true), balance, errors);
+  EXPECT_NEAR(errors.edge_share, 0.02, 1e-5);
+}
+
+}  // namespace
+}  // namespace wirepack
