@@ -23,8 +23,8 @@ void slide_one_edge(RodState& state, const RodParams& params) {
   state.twist_guide = joint_twists(state);
 }
 
-bool split_is_due(const RodState& state, const RodParams& params) {
-  return state.inlet_rest_length >= 1.5 * params.edge_length * (1 - 1e-12);
+bool split_is_due(const RodState& state, double longest) {
+  return state.inlet_rest_length >= longest * (1 - 1e-12);
 }
 
 void split_inlet(RodState& state, const Nozzle& nozzle, const RodParams& params) {

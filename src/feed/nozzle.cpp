@@ -15,13 +15,14 @@ HeldUnknowns held_by(const Nozzle& nozzle, const RodState& state) {
   return held;
 }
 
-RodState initial_wire(const Nozzle& nozzle, const RodParams& params) {
+RodState initial_wire(const Nozzle& nozzle, const RodParams& params, double inlet_rest_length) {
   Points nodes(3, 3);
-  for (Index i = 0; i < 3; ++i) {
-    nodes.col(i) =
-        nozzle.position - static_cast<double>(2 - i) * params.edge_length * nozzle.direction;
-  }
-  return make_rod(nodes, params, RodEnds{.last_clamped = true});
+  nodes.col(2) = nozzle.position;
+  nodes.col(1) = nodes.col(2) - inlet_rest_length * nozzle.direction;
+  nodes.col(0) = nodes.col(1) - params.edge_length * nozzle.direction;
+  RodState wire = make_rod(nodes, params, RodEnds{.last_clamped = true});
+  wire.inlet_rest_length = inlet_rest_length;
+  return wire;
 }
 
 }  // namespace wirepack

@@ -24,6 +24,9 @@ namespace {
 
 // Looks for strands that have passed through each other, to an increment.
 constexpr std::int64_t passage_checks = 8;
+// Longest inlet edge, over the others: a part of it shorter than half an edge would ask for shorter
+// steps of time.
+constexpr double longest_inlet = 1.5;
 // An increment whose energies miss by more than this share of all work and dissipation in it is one
 // in which the integration has become unstable.
 constexpr double unstable_share = 0.5;
@@ -170,7 +173,7 @@ struct DynamicPacking::Model {
 DynamicPacking::DynamicPacking(const Scenario& scenario)
     : DynamicPacking(scenario, PackingProgress{}) {
   const Scenario& s = scenario_;
-  progress_.rod = initial_wire(model_->nozzle, s.wire);
+  progress_.rod = initial_wire(model_->nozzle, s.wire, s.wire.edge_length);
   settle(progress_.rod, held_by(model_->nozzle, progress_.rod), s);
   progress_.random_state = s.seed;
   DynamicState state = at_rest(progress_.rod, model_->step);
@@ -247,7 +250,7 @@ std::optional<StopReason> DynamicPacking::advance() {
     work += h / 2 * (before.feed + before.medium + now.feed + now.medium);
     friction += h / 2 * (before.friction + now.friction);
     viscous += h / 2 * (before.viscous + now.viscous);
-    if (split_is_due(state.rod, scenario_.wire)) {
+    if (split_is_due(state.rod, longest_inlet * scenario_.wire.edge_length)) {
       follow_nodes(state);
       const EnergyFlow old = flow_now();
       state.rod.twist_guide = joint_twists(state.rod);

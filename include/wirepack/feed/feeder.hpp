@@ -16,8 +16,9 @@ void insert(RodState& state, double arc_length);
 /// the inlet edge keeps its length, so that the force is always read at the same phase of the mesh.
 void slide_one_edge(RodState& state, const RodParams& params);
 
-/// The inlet edge has grown so far that it is to be split: 3/2 of the edge length.
-bool split_is_due(const RodState& state, const RodParams& params);
+/// The inlet edge has grown to its longest rest length, and is to be split. The shorter the edge that is
+/// split off, the less energy a split changes: that of an edge without length changes none.
+bool split_is_due(const RodState& state, double longest);
 
 /// Splits the inlet edge: an edge of rest length edge_length, and the rest of it as the new inlet
 /// edge. The new node lies on the curve through the neighbouring nodes (cubic Hermite, with the

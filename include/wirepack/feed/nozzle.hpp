@@ -26,7 +26,7 @@ Nozzle polar_nozzle(const SphericalCavity& cavity, double wire_radius, TwistCond
 /// What the nozzle holds: the node at the clamp, and the rotation of its frame when locked.
 HeldUnknowns held_by(const Nozzle& nozzle, const RodState& state);
 
-/// A straight, untwisted wire of two edges of rest length `edge_length` at the nozzle.
-RodState initial_wire(const Nozzle& nozzle, const RodParams& params);
+/// A straight, untwisted wire of two edges at the nozzle, the last of this rest length.
+RodState initial_wire(const Nozzle& nozzle, const RodParams& params, double inlet_rest_length);
 
 }  // namespace wirepack
