@@ -1,10 +1,12 @@
 #include "wirepack/energy/joint_energy.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
+#include "wirepack/rod/joint_strain.hpp"
 #include "wirepack/rod/rest_strain.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 
@@ -77,35 +79,59 @@ double add_joint_of_tangents(const RodState& state, const RodParams& params, dou
   return bending.energy;
 }
 
-// Joints 1 ... n - 3, whose edges have the same rest length, four at a time; then all others.
+// The joints whose edges have the rest length of all but the inlet edge, 1 ... n - 3, are computed in
+// lanes; then all others.
+template <class F>
+void for_each_other_joint(const RodState& state, F&& f) {
+  for_each_joint(state, [&](const Joint& joint) {
+    if (joint.node < 1 || joint.node + 2 >= state.node_count()) f(joint);
+  });
+}
+
 double add_bending_of_tangents(const RodState& state, const RodParams& params, double stiffness,
                                Gradient& gradient) {
-  using std::sqrt;
-  double energy = 0;
-  Index done = 1;
-  const Lanes k(stiffness / params.edge_length);
-  for (; done + lane_count <= state.node_count() - 2; done += lane_count) {
-    const auto nodes = [&](Index shift) {
-      return columns_of(state.nodes, [&](int lane) { return done + shift + lane; });
-    };
-    const Triple<Lanes> middle = nodes(0);
-    const Triple<Lanes> e1 = middle - nodes(-1), e2 = nodes(1) - middle;
-    const Lanes inverse1 = 1.0 / sqrt(dot(e1, e1)), inverse2 = 1.0 / sqrt(dot(e2, e2));
-    const auto bending = tangent_bending(inverse1 * e1, inverse2 * e2, k);
-    const Triple<Lanes> by_e1 = inverse1 * bending.by_before, by_e2 = inverse2 * bending.by_after;
-    for (int i = 0; i < lane_count; ++i) {
-      energy += bending.energy[static_cast<std::size_t>(i)];
-      const Vec3 g1 = lane(by_e1, i), g2 = lane(by_e2, i);
-      gradient.node.col(done + i - 1) -= g1;
-      gradient.node.col(done + i) += g1 - g2;
-      gradient.node.col(done + i + 1) += g2;
-    }
-  }
-  for_each_joint(state, [&](const Joint& joint) {
-    if (joint.node >= 1 && joint.node < done) return;
-    energy += add_joint_of_tangents(state, params, stiffness, joint, gradient);
+  LaneSum energy;
+  const Index inner = std::max<Index>(0, state.node_count() - 3);
+  Points by_before(3, inner), by_after(3, inner);
+  for_each_in_lanes(0, inner, [&]<class T>(Index j) {
+    using std::sqrt;
+    const Triple<T> middle = load_columns<T>(state.nodes, j + 1);
+    const Triple<T> e1 = middle - load_columns<T>(state.nodes, j);
+    const Triple<T> e2 = load_columns<T>(state.nodes, j + 2) - middle;
+    const T inverse1 = 1.0 / sqrt(dot(e1, e1)), inverse2 = 1.0 / sqrt(dot(e2, e2));
+    const auto bending =
+        tangent_bending(inverse1 * e1, inverse2 * e2, T(stiffness / params.edge_length));
+    energy.add(bending.energy);
+    store_columns(inverse1 * bending.by_before, by_before, j);
+    store_columns(inverse2 * bending.by_after, by_after, j);
   });
-  return energy;
+  gradient.node.leftCols(inner) -= by_before;
+  gradient.node.middleCols(1, inner) += by_before - by_after;
+  gradient.node.middleCols(2, inner) += by_after;
+  for_each_other_joint(state, [&](const Joint& joint) {
+    energy.add(add_joint_of_tangents(state, params, stiffness, joint, gradient));
+  });
+  return energy.total();
+}
+
+// Energy of a joint of this length, and its derivative by the spin of the frame behind it, which is
+// minus that by the frame before it.
+template <class T>
+struct JointGradient {
+  T energy;
+  Triple<T> moment, by_spin;
+};
+
+template <class T>
+JointGradient<T> joint_gradient(const QuatOf<T>& before, const QuatOf<T>& after, const T& guide,
+                                const Triple<T>& rest, const Vec3& stiffness, double length) {
+  const JointStrainOf<T> strain = joint_strain(before, after, guide);
+  const Triple<T> excess = strain.value - rest;
+  const Vec3 k = stiffness / length;
+  const Triple<T> moment{k.x() * excess.x, k.y() * excess.y, k.z() * excess.z};
+  return {0.5 * dot(moment, excess), moment,
+          before * (moment.x * strain.bend1_by_spin + moment.y * strain.bend2_by_spin +
+                    moment.z * strain.twist_by_spin)};
 }
 
 JointEnergy::JointEnergy(const RodParams& params, const Stiffness& stiffness)
@@ -115,24 +141,36 @@ double JointEnergy::add_gradient(const RodState& state, Gradient& gradient) cons
   if (stiffness_.z() == 0 && is_straight(params_)) {
     return add_bending_of_tangents(state, params_, stiffness_.x(), gradient);
   }
-  double energy = 0;
-  for_each_joint(state, [&](const Joint& joint) {
-    const Quat& before = frame(state, joint.before);
-    const double length = node_length(state, params_, joint.node);
-    const JointStrain strain =
-        joint_strain_derivative(before, frame(state, joint.after), guide(state, joint.node));
-    const Vec3 excess = strain.value - rest_strain(state, params_, joint.node);
-    const Vec3 moment = stiffness_.cwiseProduct(excess) / length;
-    const double joint_energy = moment.dot(excess) / 2;
-    energy += joint_energy;
-    const Vec3 spin_moment = before * (strain.by_spin.transpose() * moment);
-    gradient.frame.col(joint.after) += spin_moment;
-    gradient.frame.col(joint.before) -= spin_moment;
-    // E = K (s - s0)^2 / (2 l): dE = -E / l dl - M . ds0
-    gradient.inlet_length -= node_length_by_inlet(state, joint.node) * joint_energy / length +
-                             moment.dot(rest_strain_by_inlet(state, params_, joint.node));
+  LaneSum energy;
+  const Index inner = std::max<Index>(0, state.node_count() - 3);
+  Points rest(3, inner), by_spin(3, inner);
+  const bool uniform = params_.reference_shape.empty();
+  for (Index j = 0; j < inner; ++j) {
+    rest.col(j) = uniform && j > 0 ? Vec3(rest.col(0)) : rest_strain(state, params_, j + 1);
+  }
+  for_each_in_lanes(0, inner, [&]<class T>(Index j) {
+    const auto joint = joint_gradient(load_quats<T>(state.frames.data(), j),
+                                      load_quats<T>(state.frames.data(), j + 1),
+                                      load<T>(state.twist_guide.data() + j + 1),
+                                      load_columns<T>(rest, j), stiffness_, params_.edge_length);
+    energy.add(joint.energy);
+    store_columns(joint.by_spin, by_spin, j);
   });
-  return energy;
+  gradient.frame.leftCols(inner) -= by_spin;
+  gradient.frame.middleCols(1, inner) += by_spin;
+  for_each_other_joint(state, [&](const Joint& j) {
+    const double length = node_length(state, params_, j.node);
+    const auto joint = joint_gradient(
+        quat_of(frame(state, j.before)), quat_of(frame(state, j.after)), guide(state, j.node),
+        triple(rest_strain(state, params_, j.node)), stiffness_, length);
+    energy.add(joint.energy);
+    gradient.frame.col(j.after) += vec3(joint.by_spin);
+    gradient.frame.col(j.before) -= vec3(joint.by_spin);
+    // E = K (s - s0)^2 / (2 l): dE = -E / l dl - M . ds0
+    gradient.inlet_length -= node_length_by_inlet(state, j.node) * joint.energy / length +
+                             vec3(joint.moment).dot(rest_strain_by_inlet(state, params_, j.node));
+  });
+  return energy.total();
 }
 
 void JointEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {

@@ -1,30 +1,51 @@
 #include "wirepack/energy/stretch_energy.hpp"
 
 #include <array>
+#include <cmath>
+
+#include "wirepack/core/lanes.hpp"
 
 namespace wirepack {
 
 StretchEnergy::StretchEnergy(const RodParams& params)
     : params_(params), stiffness_(stiffness(params).stretch) {}
 
+namespace {
+
+template <class T>
+struct Spring {
+  T strain, energy;
+  Triple<T> tension;
+};
+
+template <class T>
+Spring<T> spring(const Triple<T>& edge, double rest, double stiffness) {
+  using std::sqrt;
+  const T length = sqrt(dot(edge, edge));
+  const T strain = length / rest - 1.0;
+  return {strain, 0.5 * stiffness * rest * strain * strain, (stiffness * strain / length) * edge};
+}
+
+}  // namespace
+
 double StretchEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  double energy = 0;
-  const Index edges = state.edge_count();
-  for (Index j = 0; j < edges; ++j) {
-    const Index next = next_node(state, j);
-    const double rest = rest_length(state, params_, j);
-    const Vec3 e = state.nodes.col(next) - state.nodes.col(j);
-    const double length = e.norm();
-    const double strain = length / rest - 1;
-    energy += stiffness_ * rest / 2 * strain * strain;
-    const Vec3 tension = (stiffness_ * strain / length) * e;
-    gradient.node.col(next) += tension;
-    gradient.node.col(j) -= tension;
-    if (j == edges - 1 && !state.ends.closed) {
-      gradient.inlet_length -= stiffness_ * strain * (1 + strain / 2);
-    }
-  }
-  return energy;
+  LaneSum energy;
+  const Index last = state.edge_count() - 1;
+  Points by_edge(3, last + 1);
+  const auto add = [&]<class T>(Index j, const Spring<T>& s) {
+    energy.add(s.energy);
+    store_columns(s.tension, by_edge, j);
+  };
+  for_each_in_lanes(0, last, [&]<class T>(Index j) {
+    const Triple<T> edge = load_columns<T>(state.nodes, j + 1) - load_columns<T>(state.nodes, j);
+    add(j, spring(edge, params_.edge_length, stiffness_));
+  });
+  const Vec3 edge = state.nodes.col(next_node(state, last)) - state.nodes.col(last);
+  const Spring<double> s = spring(triple(edge), rest_length(state, params_, last), stiffness_);
+  add(last, s);
+  if (!state.ends.closed) gradient.inlet_length -= stiffness_ * s.strain * (1 + s.strain / 2);
+  add_by_edges(state, by_edge, gradient.node);
+  return energy.total();
 }
 
 void StretchEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {

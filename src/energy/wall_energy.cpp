@@ -1,6 +1,9 @@
 #include "wirepack/energy/wall_energy.hpp"
 
 #include <algorithm>
+#include <cmath>
+
+#include "wirepack/core/lanes.hpp"
 
 namespace wirepack {
 
@@ -8,18 +11,29 @@ WallEnergy::WallEnergy(const RodParams& params, const SphericalCavity& cavity, d
     : params_(params), cavity_(cavity), stiffness_(stiffness) {}
 
 double WallEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  double energy = 0;
-  for (Index i = 0; i < state.node_count(); ++i) {
-    const Vec3 r = state.nodes.col(i);
-    const double overlap = -wall_gap(cavity_, r, params_.radius);
-    if (overlap <= 0) continue;
-    const double length = node_length(state, params_, i);
-    const double per_length = stiffness_ / 2 * overlap * overlap;
-    energy += length * per_length;
-    gradient.node.col(i) += (length * stiffness_ * overlap / r.norm()) * r;
+  LaneSum energy;
+  const auto add = [&]<class T>(Index i, double length) {
+    using std::sqrt;
+    const Triple<T> r = load_columns<T>(state.nodes, i);
+    const T overlap = -wall_gap(cavity_, r, params_.radius);
+    const auto touches = overlap > 0.0;
+    const T per_length = select(touches, 0.5 * stiffness_ * overlap * overlap, T(0.0));
+    const T pull = length * stiffness_ * overlap / sqrt(dot(r, r));
+    energy.add(T(length * per_length));
+    store_columns(load_columns<T>(gradient.node, i) + select(touches, pull, T(0.0)) * r,
+                  gradient.node, i);
+    return per_length;
+  };
+  const auto add_end = [&](Index i) {
+    const double per_length = add.operator()<double>(i, node_length(state, params_, i));
     gradient.inlet_length += node_length_by_inlet(state, i) * per_length;
-  }
-  return energy;
+  };
+  const Index last = state.node_count() - 1;
+  add_end(0);
+  for_each_in_lanes(1, last - 1,
+                    [&]<class T>(Index i) { add.template operator()<T>(i, params_.edge_length); });
+  for (Index i = std::max<Index>(1, last - 1); i <= last; ++i) add_end(i);
+  return energy.total();
 }
 
 void WallEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
+#include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 
@@ -46,6 +48,7 @@ FrameChart::FrameChart(RodState reference, const HeldUnknowns& held)
   reference_tangents_.resize(3, static_cast<Index>(reference_.frames.size()));
   for (Index j = 0; j < reference_tangents_.cols(); ++j) {
     reference_tangents_.col(j) = third_axis(reference_.frames[static_cast<std::size_t>(j)]);
+    angle_number_.push_back(unknown(angle_block(j), 3));
   }
 }
 
@@ -61,64 +64,108 @@ Eigen::VectorXd FrameChart::unknowns() const {
   return x;
 }
 
+namespace {
+
+// A frame of the reference and its tangent, turned.
+template <class T>
+struct Start {
+  QuatOf<T> frame;
+  Triple<T> tangent;
+};
+
+template <class T>
+struct Edge {
+  Triple<T> tangent;
+  T length;
+};
+
+template <class T>
+Edge<T> edge_of(const Triple<T>& from, const Triple<T>& to) {
+  using std::sqrt;
+  const Triple<T> e = to - from;
+  const T length = sqrt(dot(e, e));
+  return {(1.0 / length) * e, length};
+}
+
+// Edges that join nodes j and j + 1 in lanes, then the edge that closes the wire; f(j, edge).
+template <class F>
+void for_each_edge(const RodState& state, F&& f) {
+  const Index last = state.node_count() - 1;
+  for_each_in_lanes(0, last, [&]<class T>(Index j) {
+    f(j, edge_of(load_columns<T>(state.nodes, j), load_columns<T>(state.nodes, j + 1)));
+  });
+  if (!state.ends.closed) return;
+  f(last, edge_of(load_columns<double>(state.nodes, last), load_columns<double>(state.nodes, 0)));
+}
+
+}  // namespace
+
 void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out,
                            std::span<const Quat> turns) const {
-  const auto angle = [&](Index frame) {
-    const Index u = unknown(angle_block(frame), 3);
-    return u >= 0 ? x[u] : 0.0;
-  };
   scatter(x, out.nodes);
   if (!frames_follow_) return;
   const Index edges = reference_.edge_count();
-  for (Index j = 0; j < reference_tangents_.cols(); ++j) {
-    Vec3 t0 = reference_tangents_.col(j);
-    Quat frame = reference_.frames[static_cast<std::size_t>(j)];
-    if (!turns.empty()) {
-      t0 = turns[static_cast<std::size_t>(j)] * t0;
-      frame = turns[static_cast<std::size_t>(j)] * frame;
-    }
-    const double theta = angle(j);
-    if (theta != 0) frame = rotation_about(t0, theta) * frame;
-    if (j < edges) {
-      const Vec3 t = (out.nodes.col(next_node(out, j)) - out.nodes.col(j)).normalized();
-      frame = transport(t0, t) * frame;
-    }
-    out.frames[static_cast<std::size_t>(j)] = frame;
+  const Index frames = reference_tangents_.cols();
+  Eigen::VectorXd angle(frames);
+  for (Index j = 0; j < frames; ++j) {
+    const Index u = angle_unknown(j);
+    angle[j] = u >= 0 ? x[u] : 0.0;
+  }
+  const auto start = [&]<class T>(T, Index j) -> Start<T> {
+    const QuatOf<T> frame = load_quats<T>(reference_.frames.data(), j);
+    const Triple<T> t0 = load_columns<T>(reference_tangents_, j);
+    if (turns.empty()) return {frame, t0};
+    const QuatOf<T> turn = load_quats<T>(turns.data(), j);
+    return {turn * frame, turn * t0};
+  };
+  for_each_edge(out, [&]<class T>(Index j, const Edge<T>& edge) {
+    const Start<T> from = start(T(), j);
+    const QuatOf<T> twisted = rotation_about(from.tangent, load<T>(angle.data() + j)) * from.frame;
+    store_quats(transport(from.tangent, edge.tangent) * twisted, out.frames.data(), j);
+  });
+  for (Index j = edges; j < frames; ++j) {
+    const Start<double> from = start(double(), j);
+    store_quats(rotation_about(from.tangent, angle[j]) * from.frame, out.frames.data(), j);
   }
   // The angles give the change of twist but for the small part from transport, so whole turns are
   // followed however far a clamp is turned in one step.
   for_each_joint(out, [&](const Joint& joint) {
     const auto node = static_cast<std::size_t>(joint.node);
-    out.twist_guide[node] = reference_.twist_guide[node] + angle(joint.after) - angle(joint.before);
+    out.twist_guide[node] = reference_.twist_guide[node] + angle[joint.after] - angle[joint.before];
   });
 }
 
 void FrameChart::pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
                            Eigen::VectorXd& out, std::span<const Quat> turns) const {
   out.resize(size_);
-  gather(by_node, out);
-  if (!frames_follow_) return;
-  const auto add_node = [&](Index i, const Vec3& force) {
-    for (int c = 0; c < 3; ++c) {
-      if (const Index u = unknown(i, c); u >= 0) out[u] += force[c];
-    }
-  };
+  if (!frames_follow_) {
+    gather(by_node, out);
+    return;
+  }
   const Index edges = state.edge_count();
-  for (Index j = 0; j < by_frame.cols(); ++j) {
-    const Vec3 m = by_frame.col(j);
-    Vec3 t0 = reference_tangents_.col(j);
-    if (!turns.empty()) t0 = turns[static_cast<std::size_t>(j)] * t0;
-    Vec3 t = t0;
-    if (j < edges) {
-      const Index next = next_node(state, j);
-      const Vec3 e = state.nodes.col(next) - state.nodes.col(j);
-      const double length = e.norm();
-      t = e / length;
-      const Vec3 by_edge = (m.cross(t) - m.dot(t) / (1 + t0.dot(t)) * t0.cross(t)) / length;
-      add_node(next, by_edge);
-      add_node(j, -by_edge);
-    }
-    if (const Index u = unknown(angle_block(j), 3); u >= 0) out[u] = m.dot(t);
+  const Index frames = by_frame.cols();
+  Points by_edge(3, edges);
+  Eigen::VectorXd by_angle(frames);
+  const auto tangent = [&]<class T>(T, Index j) {
+    const Triple<T> t0 = load_columns<T>(reference_tangents_, j);
+    return turns.empty() ? t0 : load_quats<T>(turns.data(), j) * t0;
+  };
+  for_each_edge(state, [&]<class T>(Index j, const Edge<T>& edge) {
+    const Triple<T> m = load_columns<T>(by_frame, j);
+    const Triple<T> t0 = tangent(T(), j), t = edge.tangent;
+    const T spin = dot(m, t);
+    store(spin, by_angle.data() + j);
+    store_columns((1.0 / edge.length) * (cross(m, t) - (spin / (1.0 + dot(t0, t))) * cross(t0, t)),
+                  by_edge, j);
+  });
+  for (Index j = edges; j < frames; ++j) {
+    by_angle[j] = dot(load_columns<double>(by_frame, j), tangent(double(), j));
+  }
+  Points by_nodes = by_node;
+  add_by_edges(state, by_edge, by_nodes);
+  gather(by_nodes, out);
+  for (Index j = 0; j < frames; ++j) {
+    if (const Index u = angle_unknown(j); u >= 0) out[u] = by_angle[j];
   }
 }
 

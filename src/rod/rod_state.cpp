@@ -20,6 +20,15 @@ Vec3 edge_tangent(const RodState& state, Index edge) {
 
 }  // namespace
 
+void add_by_edges(const RodState& state, const Points& by_edge, Points& by_node) {
+  const Index last = state.node_count() - 1;
+  by_node.leftCols(last) -= by_edge.leftCols(last);
+  by_node.rightCols(last) += by_edge.leftCols(last);
+  if (!state.ends.closed) return;
+  by_node.col(last) -= by_edge.col(last);
+  by_node.col(0) += by_edge.col(last);
+}
+
 double total_rest_length(const RodState& state, const RodParams& params) {
   const auto edges = static_cast<double>(state.edge_count());
   return state.ends.closed ? edges * params.edge_length

@@ -50,21 +50,27 @@ const PackedRod& packed_rod(std::int64_t percent) {
   return rods.at(percent);
 }
 
-// What the minimizer works on: the chart of the packed rod, with its angles held as there is no
-// torsion, and a point in the middle of a descent.
+enum class Torsion { none, free };
+
+// What the minimizer works on: the chart of the packed rod and a point in the middle of a descent.
+// Without torsion the angles are held; with it they are free and the wire is curved at rest.
 struct Descent {
-  Scenario scenario = packed_scenario();
+  Torsion torsion;
+  Scenario scenario;
   const PackedRod& rod;
   StretchEnergy stretch{scenario.wire};
-  JointEnergy joints{scenario.wire, without_twist(scenario.wire)};
+  JointEnergy joints{scenario.wire, joint_stiffness(scenario.wire, torsion)};
   WallEnergy wall{scenario.wire, scenario.cavity, scenario.wall_stiffness};
   SelfContactEnergy contact{scenario.wire, scenario.contact};
   FrameChart chart;
   Eigen::VectorXd x;
   RodState state;
 
-  explicit Descent(const benchmark::State& bench)
-      : rod(packed_rod(bench.range(0))), chart(rod.now, held(scenario, rod.now)) {
+  explicit Descent(const benchmark::State& bench, Torsion with = Torsion::none)
+      : torsion(with),
+        scenario(scenario_with(torsion)),
+        rod(packed_rod(bench.range(0))),
+        chart(rod.now, held(scenario, rod.now, torsion)) {
     x = chart.unknowns();
     Random random(1);
     for (double& u : x) u += 1e-3 * scenario.wire.radius * random.symmetric();
@@ -73,14 +79,24 @@ struct Descent {
     contact.prepare(state);
   }
 
-  static Stiffness without_twist(const RodParams& params) {
+  static Scenario scenario_with(Torsion torsion) {
+    Scenario scenario = packed_scenario();
+    if (torsion == Torsion::free) {
+      const Scenario high = default_scenario(Setup::high_torsion, scenario.cavity);
+      scenario.wire.rest_darboux = high.wire.rest_darboux;
+      scenario.nozzle_twist = high.nozzle_twist;
+    }
+    return scenario;
+  }
+  static Stiffness joint_stiffness(const RodParams& params, Torsion torsion) {
     Stiffness result = stiffness(params);
-    result.twist = 0;
+    if (torsion == Torsion::none) result.twist = 0;
     return result;
   }
-  static HeldUnknowns held(const Scenario& scenario, const RodState& rod) {
+  static HeldUnknowns held(const Scenario& scenario, const RodState& rod, Torsion torsion) {
     HeldUnknowns result =
         held_by(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist), rod);
+    if (torsion == Torsion::free) return result;
     result.angle.assign(result.angle.size(), true);
     result.frames_follow = false;
     return result;
@@ -121,8 +137,8 @@ void stretch(benchmark::State& bench) {
   measure_term(bench, descent, descent.stretch);
 }
 
-void joints(benchmark::State& bench) {
-  const Descent descent(bench);
+void joints(benchmark::State& bench, Torsion torsion) {
+  const Descent descent(bench, torsion);
   measure_term(bench, descent, descent.joints);
 }
 
@@ -139,8 +155,8 @@ void contact(benchmark::State& bench) {
   bench.counters["touching_pairs_per_node"] = touching / nodes;
 }
 
-void chart(benchmark::State& bench) {
-  Descent descent(bench);
+void chart(benchmark::State& bench, Torsion torsion) {
+  Descent descent(bench, torsion);
   const Eigen::VectorXd x = descent.x;
   Gradient gradient;
   set_zero(gradient, descent.state);
@@ -165,8 +181,8 @@ double evaluate(const Descent& descent, const Energy& energy, const Eigen::Vecto
   return value;
 }
 
-void elastic_gradient(benchmark::State& bench) {
-  Descent descent(bench);
+void elastic_gradient(benchmark::State& bench, Torsion torsion) {
+  Descent descent(bench, torsion);
   const TotalEnergy energy(descent.stretch, descent.joints);
   Gradient gradient;
   Eigen::VectorXd by_x;
@@ -189,8 +205,8 @@ double evaluate(const Energy& energy, const Eigen::VectorXd& step, TurningChart&
 }
 
 // An evaluation of the minimizer, but for the triangular solves and the guard.
-void full_gradient(benchmark::State& bench) {
-  Descent descent(bench);
+void full_gradient(benchmark::State& bench, Torsion torsion) {
+  Descent descent(bench, torsion);
   const auto energy = descent.energy();
   TurningChart turning(descent.chart, descent.scenario.cavity.radius);
   const Eigen::VectorXd step = descent.x - descent.chart.unknowns();
@@ -203,8 +219,8 @@ void full_gradient(benchmark::State& bench) {
   count_nodes(bench, descent);
 }
 
-void turning_chart(benchmark::State& bench) {
-  Descent descent(bench);
+void turning_chart(benchmark::State& bench, Torsion torsion) {
+  Descent descent(bench, torsion);
   const TotalEnergy energy(descent.stretch, descent.joints);
   TurningChart turning(descent.chart, descent.scenario.cavity.radius);
   const Eigen::VectorXd step = descent.x - descent.chart.unknowns();
@@ -277,13 +293,18 @@ void kernel(benchmark::internal::Benchmark* bench) {
 }
 
 BENCHMARK(stretch)->Apply(kernel);
-BENCHMARK(joints)->Apply(kernel);
-BENCHMARK(chart)->Apply(kernel);
-BENCHMARK(turning_chart)->Apply(kernel);
-BENCHMARK(elastic_gradient)->Apply(kernel);
+BENCHMARK_CAPTURE(joints, plain, Torsion::none)->Apply(kernel);
+BENCHMARK_CAPTURE(joints, twist, Torsion::free)->Apply(kernel);
+BENCHMARK_CAPTURE(chart, plain, Torsion::none)->Apply(kernel);
+BENCHMARK_CAPTURE(chart, twist, Torsion::free)->Apply(kernel);
+BENCHMARK_CAPTURE(turning_chart, plain, Torsion::none)->Apply(kernel);
+BENCHMARK_CAPTURE(turning_chart, twist, Torsion::free)->Apply(kernel);
+BENCHMARK_CAPTURE(elastic_gradient, plain, Torsion::none)->Apply(kernel);
+BENCHMARK_CAPTURE(elastic_gradient, twist, Torsion::free)->Apply(kernel);
 BENCHMARK(wall)->Apply(kernel);
 BENCHMARK(contact)->Apply(kernel);
-BENCHMARK(full_gradient)->Apply(kernel);
+BENCHMARK_CAPTURE(full_gradient, plain, Torsion::none)->Apply(kernel);
+BENCHMARK_CAPTURE(full_gradient, twist, Torsion::free)->Apply(kernel);
 BENCHMARK(triangular_solves)->Apply(kernel);
 BENCHMARK(neighbor_list)->Apply(kernel);
 BENCHMARK(passage_check)->Apply(kernel);

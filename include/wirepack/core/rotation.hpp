@@ -2,28 +2,42 @@
 
 #include <cmath>
 
+#include "wirepack/core/triple.hpp"
 #include "wirepack/core/types.hpp"
 
 namespace wirepack {
 
 /// Third axis of a frame: the tangent of an adapted edge frame.
-inline Vec3 third_axis(const Quat& frame) {
-  const double w = frame.w(), x = frame.x(), y = frame.y(), z = frame.z();
-  return {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
+template <class T>
+Triple<T> third_axis(const QuatOf<T>& q) {
+  return {2.0 * (q.x * q.z + q.w * q.y), 2.0 * (q.y * q.z - q.w * q.x),
+          1.0 - 2.0 * (q.x * q.x + q.y * q.y)};
 }
+inline Vec3 third_axis(const Quat& frame) { return vec3(third_axis(quat_of(frame))); }
 
 /// Smallest rotation that takes unit vector `from` to unit vector `to` (parallel transport).
 /// Undefined at to = -from; callers keep turns below pi.
+template <class T>
+QuatOf<T> transport(const Triple<T>& from, const Triple<T>& to) {
+  using std::sqrt;
+  const T w = sqrt(0.5 * (1.0 + dot(from, to)));
+  const Triple<T> v = (0.5 / w) * cross(from, to);
+  return {w, v.x, v.y, v.z};
+}
 inline Quat transport(const Vec3& from, const Vec3& to) {
-  const double w = std::sqrt((1 + from.dot(to)) / 2);
-  const Vec3 v = from.cross(to) / (2 * w);
-  return {w, v.x(), v.y(), v.z()};
+  return quat(transport(triple(from), triple(to)));
 }
 
 /// Rotation by `angle` [rad] about the unit vector `axis`.
+template <class T>
+QuatOf<T> rotation_about(const Triple<T>& axis, const T& angle) {
+  using std::cos, std::sin;
+  const T half = 0.5 * angle;
+  const Triple<T> v = sin(half) * axis;
+  return {cos(half), v.x, v.y, v.z};
+}
 inline Quat rotation_about(const Vec3& axis, double angle) {
-  const double s = std::sin(angle / 2);
-  return {std::cos(angle / 2), s * axis.x(), s * axis.y(), s * axis.z()};
+  return quat(rotation_about(triple(axis), angle));
 }
 
 /// Any frame whose third axis is the unit vector `tangent`; deterministic.

@@ -40,6 +40,8 @@ class FrameChart {
   }
   /// Nodes, plus one for the first clamp: the number of blocks of four slots.
   Index block_count() const { return reference_.node_count() + 1; }
+  /// Place of the angle of a frame among the unknowns, -1 when held.
+  Index angle_unknown(Index frame) const { return angle_number_[static_cast<std::size_t>(frame)]; }
   /// Block of four that holds the angle of a frame (slot 3).
   Index angle_block(Index frame) const;
 
@@ -59,8 +61,9 @@ class FrameChart {
     for (const Place& p : places_) by_unknown[p.unknown] = by_node.data()[p.coordinate];
   }
   bool frames_follow() const { return frames_follow_; }
-  /// Tangent of a frame in the reference.
+  /// Tangent of a frame in the reference; and of all (3 x frames).
   Vec3 reference_tangent(Index frame) const { return reference_tangents_.col(frame); }
+  const Points& reference_tangents() const { return reference_tangents_; }
 
  private:
   struct Place {
@@ -68,7 +71,7 @@ class FrameChart {
   };
 
   RodState reference_;
-  std::vector<Index> number_;
+  std::vector<Index> number_, angle_number_;
   std::vector<Place> places_;
   bool frames_follow_ = true;
   Points reference_tangents_;

@@ -82,6 +82,9 @@ inline double node_length_by_inlet(const RodState& state, Index node) {
   return !state.ends.closed && node + 2 >= state.node_count() ? 0.5 : 0.0;
 }
 
+/// Adds a derivative by the edge vectors (3 x E) to one by the nodes (3 x N).
+void add_by_edges(const RodState& state, const Points& by_edge, Points& by_node);
+
 /// Rest length of the whole wire.
 double total_rest_length(const RodState& state, const RodParams& params);
 

@@ -82,6 +82,21 @@ TEST(JointGradient, OfTwistAloneMatchesDifferencesForAllEnds) {
   expect_exact_gradients(only_twist, false);
 }
 
+TEST(JointGradient, OfWholeTurnsOfTwistMatchesDifferences) {
+  const RodParams params = curved_params(1.0 / 3);
+  JointEnergy energy(params);
+  RodState state = random_state(params, {.last_clamped = true}, 3);
+  // the same frames, but with up to two turns of twist either way in a joint
+  for (std::size_t i = 1; i < state.twist_guide.size(); ++i) {
+    state.twist_guide[i] += 2 * pi * (static_cast<double>(i % 5) - 2);
+  }
+  const HeldUnknowns none = HeldUnknowns::none(state);
+  const Eigen::VectorXd offset = Eigen::VectorXd::Zero(FrameChart(state, none).size());
+  const GradientCheck check = check_gradient(state, none, functions_of(energy), offset, 1e-5);
+  EXPECT_GT(check.largest_derivative, 30);  // GJ 4 pi / l = 37
+  EXPECT_LT(check.relative_error, 1e-7);    // rounding 1e-16 1000 over 1e-5 and 30, and 1e-10
+}
+
 TEST(JointGradient, OfTangentsAloneIsThatOfFramesWithoutTwist) {
   const RodParams params;
   Stiffness no_twist = stiffness(params);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
+#include "wirepack/rod/joint_strain.hpp"
 
 #include "../../support/sample_rods.hpp"
 
@@ -42,6 +44,30 @@ TEST(JointStrain, BendingDoesNotDependOnTheRelativeTwistNorTwistOnBending) {
       EXPECT_NEAR(strain.x(), 2 * std::tan(angle / 2) * std::cos(0.7), 1e-12) << twist;
       EXPECT_NEAR(strain.y(), 2 * std::tan(angle / 2) * std::sin(0.7), 1e-12) << twist;
       EXPECT_NEAR(strain.z(), twist, 1e-12) << angle;  // round-off of 60
+    }
+  }
+}
+
+TEST(JointStrain, OfFourJointsAtATimeIsThatOfEachForAnyTurnsOfTwist) {
+  Random random(9);
+  for (int k = 0; k < 1000; ++k) {
+    std::vector<Quat> before(4), after(4);
+    for (Quat& q : before) q = random_rotation(random);
+    for (Quat& q : after) q = random_rotation(random);
+    const std::vector<double> guide{0, 6 * random.symmetric(), 60 * random.symmetric(), 4 * pi};
+    const auto four = joint_strain(load_quats<Lanes>(before.data(), 0),
+                                   load_quats<Lanes>(after.data(), 0), load<Lanes>(guide.data()));
+    for (std::size_t i = 0; i < 4; ++i) {
+      const JointStrain one = joint_strain_derivative(before[i], after[i], guide[i]);
+      // near a turn of pi bending magnifies round-off, its derivative twice
+      const double rounding = 1e-13 * (1 + one.value.squaredNorm());
+      EXPECT_LT((lane(four.value, static_cast<int>(i)) - one.value).norm(), rounding);
+      Mat3 by_spin;
+      by_spin.row(0) = lane(four.bend1_by_spin, static_cast<int>(i));
+      by_spin.row(1) = lane(four.bend2_by_spin, static_cast<int>(i));
+      by_spin.row(2) = lane(four.twist_by_spin, static_cast<int>(i));
+      EXPECT_LT((by_spin - one.by_spin).norm(), rounding);
+      EXPECT_LE(std::abs(one.value.z() - guide[i]), pi * (1 + 1e-15));
     }
   }
 }
