@@ -8,7 +8,9 @@ namespace wirepack {
 
 namespace {
 
-LineOf<double> plain(const Line& line) { return {triple(line.midpoint), triple(line.vector)}; }
+LineOf<double> plain(const Line& line) {
+  return {triple(line.midpoint), triple(line.vector), 1 / line.vector.squaredNorm()};
+}
 
 Meeting<double> meet(const LineKernel& kernel, const Line& first, const Line& second) {
   return meet(kernel, plain(first), plain(second), FreeEnd{first.ends_before, first.ends_after},

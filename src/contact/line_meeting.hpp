@@ -19,6 +19,7 @@ struct ValueSlope {
 template <class T>
 struct LineOf {
   Triple<T> midpoint, vector;
+  T inverse_n;  // 1 / |vector|^2
 };
 
 // A line inside the strand: no end to look after.
@@ -76,10 +77,12 @@ template <class T, class End>
 //   [a11 a12; a12 a22] (s, t) = (b1, b2),
 //   a11 = (1 + eta) e1.e1, a12 = -(1 - eta) e1.e2, a22 = (1 + eta) e2.e2, b = (-w.e1, w.e2);
 // a free end of line 1 moves s, then t follows from the second row, then a free end of line 2.
+// Divisions cost most, so inverses are kept.
 template <class T>
 struct Meeting {
   Triple<T> w;
-  T n1, n2, q;          // e1.e1, e2.e2, e1.e2
+  T n1, n2, q;  // e1.e1, e2.e2, e1.e2
+  T inverse_n1n2;
   T cosine2, parallel;  // squared cosine of the angle; its 4th power, 1 for parallel lines
   T eta;
   T a11, a12, a22, b1, b2, inverse_determinant;
@@ -107,7 +110,8 @@ template <class T, class End>
   m.n1 = dot(e1, e1);
   m.n2 = dot(e2, e2);
   m.q = dot(e1, e2);
-  m.cosine2 = m.q * m.q / (m.n1 * m.n2);
+  m.inverse_n1n2 = first.inverse_n * second.inverse_n;
+  m.cosine2 = m.q * m.q * m.inverse_n1n2;
   m.parallel = m.cosine2 * m.cosine2;
   m.parallel = m.parallel * m.parallel;
   m.eta = kernel.parallel_hold() * m.parallel;
@@ -120,7 +124,11 @@ template <class T, class End>
   m.s_free = (m.a22 * m.b1 - m.a12 * m.b2) * m.inverse_determinant;
   m.weight1 = weight(end1, m.s_free);
   m.s = clamp_to_ends(end1, m.s_free);
-  m.t_free = (m.b2 - m.a12 * m.s.value) / m.a22;
+  if constexpr (std::is_same_v<End, NoEnd>) {
+    m.t_free = (m.a11 * m.b2 - m.a12 * m.b1) * m.inverse_determinant;
+  } else {
+    m.t_free = (m.b2 - m.a12 * m.s.value) / m.a22;
+  }
   m.weight2 = weight(end2, m.t_free);
   m.t = clamp_to_ends(end2, m.t_free);
   m.separation = m.w + m.s.value * e1 - m.t.value * e2;
@@ -144,6 +152,7 @@ template <class T>
   const T s = m.s.value;
   const T t = m.t.value;
   const T distance = sqrt(m.squared_distance);
+  const T inverse_a22 = 1.0 / m.a22;
   const T overlap = kernel.touching_distance - distance;
   const T pair_weight = m.weight1.value * m.weight2.value;
   const double stiffness_step = kernel.parallel_stiffness - kernel.crossing_stiffness;
@@ -153,7 +162,7 @@ template <class T>
   // Reverse sweep; x_bar is the derivative of the energy by x. First r and t,
   const Triple<T> r_bar = (-k * pair_weight * overlap / distance) * m.separation;
   const T t_bar = spring * m.weight1.value * m.weight2.slope - dot(r_bar, e2) * m.t.slope;
-  const T row = t_bar / m.a22;
+  const T row = t_bar * inverse_a22;
   T b2_bar = row;
   T a12_bar = -row * s;
   T a22_bar = -row * m.t_free;
@@ -173,9 +182,10 @@ template <class T>
   const T parallel_bar =
       eta_bar * kernel.parallel_hold() + 0.5 * stiffness_step * overlap * overlap * pair_weight;
   const T cosine2_bar = parallel_bar * 4.0 * m.cosine2 * m.cosine2 * m.cosine2;
-  const T n1_bar = a11_bar * (1.0 + m.eta) - cosine2_bar * m.cosine2 / m.n1;
-  const T n2_bar = a22_bar * (1.0 + m.eta) - cosine2_bar * m.cosine2 / m.n2;
-  const T q_bar = a12_bar * (m.eta - 1.0) + cosine2_bar * 2.0 * m.q / (m.n1 * m.n2);
+  const T over_n1n2 = cosine2_bar * m.inverse_n1n2;
+  const T n1_bar = a11_bar * (1.0 + m.eta) - over_n1n2 * m.cosine2 * m.n2;
+  const T n2_bar = a22_bar * (1.0 + m.eta) - over_n1n2 * m.cosine2 * m.n1;
+  const T q_bar = a12_bar * (m.eta - 1.0) + over_n1n2 * 2.0 * m.q;
 
   gradient.midpoint1 = r_bar - b1_bar * e1 + b2_bar * e2;
   gradient.midpoint2 = T(-1.0) * gradient.midpoint1;

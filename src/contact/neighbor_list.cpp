@@ -145,12 +145,25 @@ NeighborList::NeighborList(const RodState& state, const ContactRange& range, dou
     }
     near.resize(kept);
   };
-  for_each_neighborhood(state, limit + 3 * longest, first_touching_neighbor(range),
-                        [&](Index j, std::vector<Index>& near) {
-                          keep_near_lines(j, near);
-                          std::sort(near.begin(), near.end());
-                          for (const Index k : near) pairs_.push_back({j, k});
-                        });
+  for_each_neighborhood(
+      state, limit + 3 * longest, first_touching_neighbor(range),
+      [&](Index j, std::vector<Index>& near) {
+        keep_near_lines(j, near);
+        std::sort(near.begin(), near.end());
+        for (const Index k : near) {
+          const Index start = k - k % 4;
+          if (fours_.empty() || fours_.back().first != j || fours_.back().start != start) {
+            fours_.push_back({j, start, 0});
+          }
+          fours_.back().listed |= 1U << (k - start);
+        }
+      });
+}
+
+std::vector<EdgePair> NeighborList::pairs() const {
+  std::vector<EdgePair> pairs;
+  for_each_pair(fours_, [&](const EdgePair& pair) { pairs.push_back(pair); });
+  return pairs;
 }
 
 bool NeighborList::covers(const RodState& state) const {

@@ -35,7 +35,9 @@ struct TangentBending {
 };
 
 template <class T>
-TangentBending<T> tangent_bending(const Triple<T>& before, const Triple<T>& after, const T& k) {
+[[gnu::always_inline]] inline TangentBending<T> tangent_bending(const Triple<T>& before,
+                                                                const Triple<T>& after,
+                                                                const T& k) {
   const T cosine = dot(before, after);
   const Triple<T> normal = cross(before, after);
   const T f = 1.0 / (1.0 + cosine);
@@ -123,8 +125,11 @@ struct JointGradient {
 };
 
 template <class T>
-JointGradient<T> joint_gradient(const QuatOf<T>& before, const QuatOf<T>& after, const T& guide,
-                                const Triple<T>& rest, const Vec3& stiffness, double length) {
+[[gnu::always_inline]] inline JointGradient<T> joint_gradient(const QuatOf<T>& before,
+                                                              const QuatOf<T>& after,
+                                                              const T& guide, const Triple<T>& rest,
+                                                              const Vec3& stiffness,
+                                                              double length) {
   const JointStrainOf<T> strain = joint_strain(before, after, guide);
   const Triple<T> excess = strain.value - rest;
   const Vec3 k = stiffness / length;

@@ -16,19 +16,19 @@ bool SelfContactEnergy::prepare(const RodState& state) {
 }
 
 double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  return add_contact_energy(kernel_, state, list_.pairs(), gradient.node);
+  return add_contact_energy(kernel_, state, list_.fours(), gradient.node);
 }
 
 double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient,
                                        std::vector<SelfContact>& contacts) const {
-  return add_contact_energy(kernel_, state, list_.pairs(), gradient.node, contacts);
+  return add_contact_energy(kernel_, state, list_.fours(), gradient.node, contacts);
 }
 
 void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {
   // The gradient that comes along costs less than one pair at a time would.
   Points unused = Points::Zero(3, state.node_count());
   std::vector<SelfContact> touching;
-  add_contact_energy(kernel_, state, list_.pairs(), unused, touching);
+  add_contact_energy(kernel_, state, list_.fours(), unused, touching);
   for (const SelfContact& touch : touching) {
     const Vec3 n = touch.line.separation / touch.line.distance;
     const double s = touch.line.s;
@@ -44,12 +44,12 @@ void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& mod
 
 std::vector<SelfContact> SelfContactEnergy::contacts(const RodState& state) const {
   std::vector<SelfContact> found;
-  for (const EdgePair& pair : list_.pairs()) {
+  for_each_pair(list_.fours(), [&](const EdgePair& pair) {
     const auto touch = kernel_.touch(line_of(state, pair.first), line_of(state, pair.second));
-    if (!touch) continue;
+    if (!touch) return;
     const double overlap = kernel_.touching_distance - touch->distance;
     found.push_back({pair, *touch, overlap, touch->stiffness * overlap});
-  }
+  });
   return found;
 }
 

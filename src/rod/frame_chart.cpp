@@ -34,7 +34,7 @@ FrameChart::FrameChart(RodState reference, const HeldUnknowns& held)
   for (Index i = 0; i < n; ++i) {
     for (int c = 0; c < 3; ++c) {
       take(i, c, held.coordinate[static_cast<std::size_t>(3 * i + c)]);
-      if (const Index u = unknown(i, c); u >= 0) places_.push_back({u, 3 * i + c});
+      if (const Index u = unknown(i, c); u >= 0) add_to_runs(u, 3 * i + c);
     }
     if (i < reference_.edge_count()) {
       take(i, 3, held.angle[static_cast<std::size_t>(i)]);
@@ -50,6 +50,17 @@ FrameChart::FrameChart(RodState reference, const HeldUnknowns& held)
     reference_tangents_.col(j) = third_axis(reference_.frames[static_cast<std::size_t>(j)]);
     angle_number_.push_back(unknown(angle_block(j), 3));
   }
+}
+
+void FrameChart::add_to_runs(Index unknown, Index coordinate) {
+  if (!runs_.empty()) {
+    Run& run = runs_.back();
+    if (run.unknown + run.count == unknown && run.coordinate + run.count == coordinate) {
+      ++run.count;
+      return;
+    }
+  }
+  runs_.push_back({unknown, coordinate, 1});
 }
 
 Index FrameChart::angle_block(Index frame) const {

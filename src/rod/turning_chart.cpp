@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
 
 namespace wirepack {
@@ -33,18 +34,39 @@ double taper_weight(double arc, double taper) {
   return u * u * (3 - 2 * u);
 }
 
+template <class T>
+[[gnu::always_inline]] inline Triple<T> times(const Mat3& m, const Triple<T>& v) {
+  return {m(0, 0) * v.x + m(0, 1) * v.y + m(0, 2) * v.z,
+          m(1, 0) * v.x + m(1, 1) * v.y + m(1, 2) * v.z,
+          m(2, 0) * v.x + m(2, 1) * v.y + m(2, 2) * v.z};
+}
+
 Mat3 hat(const Vec3& v) {
   Mat3 m;
   m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
   return m;
 }
 
-// Sum of a_i x b_i over the columns, from sum a_i b_i^T.
-template <class A, class B>
-Vec3 sum_of_crosses(const A& a, const B& b) {
-  Mat3 m = Mat3::Zero();
-  for (Index i = 0; i < a.cols(); ++i) m.noalias() += a.col(i) * b.col(i).transpose();
-  return {m(1, 2) - m(2, 1), m(2, 0) - m(0, 2), m(0, 1) - m(1, 0)};
+// A sum of vectors and of lanes of vectors.
+struct TripleSum {
+  LaneSum x, y, z;
+
+  template <class T>
+  void add(const Triple<T>& v) {
+    x.add(v.x);
+    y.add(v.y);
+    z.add(v.z);
+  }
+  Vec3 total() const { return {x.total(), y.total(), z.total()}; }
+};
+
+// Sum of a_i x b_i over the first columns.
+Vec3 sum_of_crosses(const Points& a, const Points& b, Index count) {
+  TripleSum sum;
+  for_each_in_lanes(0, count, [&]<class T>(Index i) {
+    sum.add(cross(load_columns<T>(a, i), load_columns<T>(b, i)));
+  });
+  return sum.total();
 }
 
 }  // namespace
@@ -68,6 +90,12 @@ TurningChart::TurningChart(const FrameChart& chart, double taper)
     node_weight_[j] = taper_weight(arc, taper);
   }
   while (rigid_nodes_ < n && node_weight_[rigid_nodes_] == 1) ++rigid_nodes_;
+  if (chart.frames_follow()) {
+    frame_turn_.resize(reference.frames.size());
+    while (rigid_frames_ < frame_weight_.size() && frame_weight_[rigid_frames_] == 1) {
+      ++rigid_frames_;
+    }
+  }
   weighted_ = reference.nodes * node_weight_.asDiagonal();
   Mat3 inertia = Mat3::Zero();
   for (Index i = 0; i < n; ++i) {
@@ -80,7 +108,6 @@ TurningChart::TurningChart(const FrameChart& chart, double taper)
   turned_ = reference.nodes;
   back_.setZero(3, n);
   node_turn_.resize(static_cast<std::size_t>(n - rigid_nodes_));
-  if (chart.frames_follow()) frame_turn_.resize(reference.frames.size());
 }
 
 void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
@@ -93,13 +120,18 @@ void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
     chart_->set_state(x_, out);
     return;
   }
-  omega_ = inverse_inertia_ * sum_of_crosses(weighted_, step_);
+  omega_ = inverse_inertia_ * sum_of_crosses(weighted_, step_, n);
   const Mat3 spin = hat(omega_);
-  turn_ = rotation_of(omega_).toRotationMatrix();
-  for (Index i = 0; i < n; ++i) moves_.col(i) = step_.col(i) - spin * weighted_.col(i);
-  for (Index i = 0; i < rigid_nodes_; ++i) {
-    turned_.col(i) = turn_ * (reference.nodes.col(i) + moves_.col(i));
-  }
+  const Quat whole_turn = rotation_of(omega_);
+  turn_ = whole_turn.toRotationMatrix();
+  for_each_in_lanes(0, n, [&]<class T>(Index i) {
+    store_columns(load_columns<T>(step_, i) - times(spin, load_columns<T>(weighted_, i)), moves_,
+                  i);
+  });
+  for_each_in_lanes(0, rigid_nodes_, [&]<class T>(Index i) {
+    const Triple<T> moved = load_columns<T>(reference.nodes, i) + load_columns<T>(moves_, i);
+    store_columns(times(turn_, moved), turned_, i);
+  });
   for (Index i = rigid_nodes_; i < n; ++i) {
     Mat3& turn = node_turn_[static_cast<std::size_t>(i - rigid_nodes_)];
     turn = rotation_of(node_weight_[i] * omega_).toRotationMatrix();
@@ -107,12 +139,11 @@ void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
   }
   chart_->gather(turned_, x_);
   for (Index j = 0; j < static_cast<Index>(frame_turn_.size()); ++j) {
-    Quat& turn = frame_turn_[static_cast<std::size_t>(j)];
-    turn = frame_weight_[j] == 1 && j > 0 && frame_weight_[j - 1] == 1
-               ? frame_turn_[static_cast<std::size_t>(j - 1)]
-               : rotation_of(frame_weight_[j] * omega_);
-    const Index u = chart_->unknown(chart_->angle_block(j), 3);
-    if (u >= 0) x_[u] -= frame_weight_[j] * omega_.dot(chart_->reference_tangent(j));
+    const double w = frame_weight_[j];
+    frame_turn_[static_cast<std::size_t>(j)] =
+        j < rigid_frames_ ? whole_turn : rotation_of(w * omega_);
+    const Index u = chart_->angle_unknown(j);
+    if (u >= 0) x_[u] -= w * omega_.dot(chart_->reference_tangent(j));
   }
   chart_->set_state(x_, out, frame_turn_);
 }
@@ -132,10 +163,11 @@ void TurningChart::pull_back(const RodState& state, const Points& by_node, const
   const RodState& reference = chart_->reference();
   const Index n = reference.node_count();
   // The rigid nodes share one turn: their torques are summed before it is undone.
-  Vec3 by_omega = jacobian_transposed(
-      omega_, sum_of_crosses(state.nodes.leftCols(rigid_nodes_), force_.leftCols(rigid_nodes_)));
+  Vec3 by_omega = jacobian_transposed(omega_, sum_of_crosses(state.nodes, force_, rigid_nodes_));
   const Mat3 turn_back = turn_.transpose();
-  for (Index i = 0; i < rigid_nodes_; ++i) back_.col(i) = turn_back * force_.col(i);
+  for_each_in_lanes(0, rigid_nodes_, [&]<class T>(Index i) {
+    store_columns(times(turn_back, load_columns<T>(force_, i)), back_, i);
+  });
   for (Index i = rigid_nodes_; i < n; ++i) {
     const double w = node_weight_[i];
     const Vec3 force = force_.col(i);
@@ -143,22 +175,46 @@ void TurningChart::pull_back(const RodState& state, const Points& by_node, const
     by_omega += w * jacobian_transposed(w * omega_, Vec3(state.nodes.col(i)).cross(force));
   }
   if (moves_count) back_ += by_move;
-  by_omega -= sum_of_crosses(weighted_, back_);
-  for (Index j = 0; j < static_cast<Index>(frame_turn_.size()); ++j) {
-    const Index u = chart_->unknown(chart_->angle_block(j), 3);
-    const double w = frame_weight_[j];
-    if (u < 0 || w == 0) continue;
-    // Turning the reference under a fixed tangent t spins the frame about t by
-    // (t + t0').spin / (1 + t.t0'), t0' the turned reference tangent.
-    const Vec3 t = third_axis(state.frames[static_cast<std::size_t>(j)]);
-    const Vec3 t0 = chart_->reference_tangent(j);
-    const Vec3 turned_t0 = frame_turn_[static_cast<std::size_t>(j)] * t0;
-    by_omega += w * by_x[u] *
-                (jacobian_transposed(w * omega_, (t + turned_t0) / (1 + t.dot(turned_t0))) - t0);
-  }
+  by_omega -= sum_of_crosses(weighted_, back_, n);
+  if (!frame_turn_.empty()) by_omega += by_turning_frames(state, by_x);
   const Mat3 turning = hat(inverse_inertia_ * by_omega);
-  for (Index i = 0; i < n; ++i) back_.col(i) += turning * weighted_.col(i);
+  for_each_in_lanes(0, n, [&]<class T>(Index i) {
+    store_columns(load_columns<T>(back_, i) + times(turning, load_columns<T>(weighted_, i)), back_,
+                  i);
+  });
   chart_->gather(back_, by_z);
+}
+
+// Turning the reference under a fixed tangent t spins the frame about t by
+// (t + t0').spin / (1 + t.t0'), t0' the turned reference tangent.
+Vec3 TurningChart::by_turning_frames(const RodState& state, const Eigen::VectorXd& by_x) const {
+  const Index frames = static_cast<Index>(frame_turn_.size());
+  Eigen::VectorXd by_angle(frames);
+  for (Index j = 0; j < frames; ++j) {
+    const Index u = chart_->angle_unknown(j);
+    by_angle[j] = u >= 0 ? by_x[u] : 0.0;
+  }
+  const Points& tangents = chart_->reference_tangents();
+  const auto spin_axis = [&]<class T>(T, Index j) {
+    const Triple<T> t = third_axis(load_quats<T>(state.frames.data(), j));
+    const Triple<T> t0 = load_quats<T>(frame_turn_.data(), j) * load_columns<T>(tangents, j);
+    return (1.0 / (1.0 + dot(t, t0))) * (t + t0);
+  };
+  TripleSum by_turn, by_tangent;
+  for_each_in_lanes(0, rigid_frames_, [&]<class T>(Index j) {
+    const T g = load<T>(by_angle.data() + j);
+    by_turn.add(g * spin_axis(T(), j));
+    by_tangent.add(g * load_columns<T>(tangents, j));
+  });
+  Vec3 by_omega = jacobian_transposed(omega_, by_turn.total()) - by_tangent.total();
+  for (Index j = rigid_frames_; j < frames; ++j) {
+    const double w = frame_weight_[j];
+    if (w == 0) continue;
+    by_omega += w * by_angle[j] *
+                (jacobian_transposed(w * omega_, vec3(spin_axis(double(), j))) -
+                 chart_->reference_tangent(j));
+  }
+  return by_omega;
 }
 
 }  // namespace wirepack

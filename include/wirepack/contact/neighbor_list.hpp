@@ -12,6 +12,24 @@ struct EdgePair {
   Index first, second;  ///< first < second
 };
 
+/// Pairs of one edge with some of four successive ones: those of the seconds start ... start + 3, a
+/// multiple of four on, whose bit is set. Strands run side by side, so that this is how pairs come, and
+/// four lie side by side in memory.
+struct EdgeFour {
+  Index first, start;
+  unsigned listed;  ///< bit k stands for the pair (first, start + k)
+};
+
+/// Calls f(EdgePair) for every pair, in order.
+template <class F>
+void for_each_pair(std::span<const EdgeFour> fours, F&& f) {
+  for (const EdgeFour& four : fours) {
+    for (Index k = 0; k < 4; ++k) {
+      if (four.listed >> k & 1U) f(EdgePair{four.first, four.start + k});
+    }
+  }
+}
+
 /// Which pairs of edges may touch.
 struct ContactRange {
   double touching_distance;    ///< 2 a
@@ -24,7 +42,7 @@ struct ContactRange {
 Index first_touching_neighbor(const ContactRange& range);
 
 /// All pairs of edges whose lines, extended by one edge length to both sides (the support of the
-/// contact kernel), come within touching distance plus a skin; from a cell grid. Pairs are sorted.
+/// contact kernel), come within touching distance plus a skin; from a cell grid. Sorted.
 /// A superset of the touching pairs as long as `covers` holds, so it changes cost, never values.
 class NeighborList {
  public:
@@ -33,10 +51,11 @@ class NeighborList {
 
   /// No edge has moved so far that a pair outside the list could touch.
   bool covers(const RodState& state) const;
-  std::span<const EdgePair> pairs() const { return pairs_; }
+  std::span<const EdgeFour> fours() const { return fours_; }
+  std::vector<EdgePair> pairs() const;
 
  private:
-  std::vector<EdgePair> pairs_;
+  std::vector<EdgeFour> fours_;
   Points built_at_;
   double allowed_move_ = 0;
 };

@@ -8,7 +8,7 @@ namespace wirepack {
 /// atan2(y, x) for x >= 0, to three units in the last place; for a number or for lanes, without
 /// branches. Undefined at (0, 0).
 template <class T>
-T arctangent(const T& y, const T& x) {
+[[gnu::always_inline]] inline T arctangent(const T& y, const T& x) {
   // Reduced to ratios |u| <= tan(pi / 8) by atan(1 / r) = pi / 2 - atan(r) and
   // atan(r) = pi / 4 + atan((r - 1) / (r + 1)).
   const T size = select(y < 0.0, -y, y);

@@ -55,10 +55,18 @@ class FrameChart {
                  Eigen::VectorXd& out, std::span<const Quat> turns = {}) const;
   /// Vectors by nodes (3 x N) <-> the coordinates among unknowns; what is held stays as it is.
   void scatter(const Eigen::VectorXd& by_unknown, Points& by_node) const {
-    for (const Place& p : places_) by_node.data()[p.coordinate] = by_unknown[p.unknown];
+    for (const Run& run : runs_) {
+      const double* const from = by_unknown.data() + run.unknown;
+      double* const to = by_node.data() + run.coordinate;
+      for (Index k = 0; k < run.count; ++k) to[k] = from[k];
+    }
   }
   void gather(const Points& by_node, Eigen::VectorXd& by_unknown) const {
-    for (const Place& p : places_) by_unknown[p.unknown] = by_node.data()[p.coordinate];
+    for (const Run& run : runs_) {
+      const double* const from = by_node.data() + run.coordinate;
+      double* const to = by_unknown.data() + run.unknown;
+      for (Index k = 0; k < run.count; ++k) to[k] = from[k];
+    }
   }
   bool frames_follow() const { return frames_follow_; }
   /// Tangent of a frame in the reference; and of all (3 x frames).
@@ -66,13 +74,16 @@ class FrameChart {
   const Points& reference_tangents() const { return reference_tangents_; }
 
  private:
-  struct Place {
-    Index unknown, coordinate;  ///< coordinate c of node i is 3 i + c
+  /// Successive coordinates that are successive unknowns.
+  struct Run {
+    Index unknown, coordinate;  ///< the first; coordinate c of node i is 3 i + c
+    Index count;
   };
+  void add_to_runs(Index unknown, Index coordinate);
 
   RodState reference_;
   std::vector<Index> number_, angle_number_;
-  std::vector<Place> places_;
+  std::vector<Run> runs_;
   bool frames_follow_ = true;
   Points reference_tangents_;
   Index size_ = 0;

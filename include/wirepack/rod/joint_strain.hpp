@@ -27,8 +27,9 @@ struct JointStrainOf {
 /// rotation; the one taken is that whose twist, up to full cycles of 4 pi, is so, and the half-way
 /// frame in which bending is measured turns continuously with the twist.
 template <class T>
-JointStrainOf<T> joint_strain(const QuatOf<T>& before, const QuatOf<T>& after,
-                              const T& twist_guide) {
+[[gnu::always_inline]] inline JointStrainOf<T> joint_strain(const QuatOf<T>& before,
+                                                            const QuatOf<T>& after,
+                                                            const T& twist_guide) {
   using std::floor, std::sqrt;
   const QuatOf<T> p = before.conjugate() * after;
   const T half_turn = select(p.w < 0.0, T(-1.0), T(1.0));  // twist from here on within pi

@@ -33,11 +33,13 @@ class TurningChart {
                  const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z);
 
  private:
+  Vec3 by_turning_frames(const RodState& state, const Eigen::VectorXd& by_x) const;
+
   const FrameChart* chart_;
   Eigen::VectorXd start_;
   Eigen::VectorXd node_weight_, frame_weight_;
-  Index rigid_nodes_ = 0;  // nodes from the tip on whose weight is 1
-  Points weighted_;        // w_i r_i
+  Index rigid_nodes_ = 0, rigid_frames_ = 0;  // those from the tip on whose weight is 1
+  Points weighted_;                           // w_i r_i
   Mat3 inverse_inertia_ = Mat3::Zero();
   bool turns_ = false;
   Vec3 omega_ = Vec3::Zero();

@@ -85,6 +85,28 @@ TEST(NeighborList, HoldsAllTouchingPairsForAsLongAsItCoversTheState) {
   }
 }
 
+TEST(NeighborList, FoursStartAtMultiplesOfFourAndComeSortedEachOnce) {
+  const NeighborList list(crowd(200, 6, {}, 4), range, 1);
+  std::size_t pairs = 0;
+  const EdgeFour* last = nullptr;
+  for (const EdgeFour& four : list.fours()) {
+    EXPECT_EQ(four.start % 4, 0);
+    EXPECT_GT(four.listed, 0U);
+    EXPECT_LT(four.listed, 16U);
+    if (last != nullptr) {
+      EXPECT_TRUE(last->first < four.first ||
+                  (last->first == four.first && last->start < four.start));
+    }
+    last = &four;
+    for_each_pair(std::span(&four, 1), [&](const EdgePair& pair) {
+      EXPECT_EQ(pair.first, four.first);
+      EXPECT_EQ(list.pairs()[pairs++].second, pair.second);
+    });
+  }
+  EXPECT_GT(pairs, 100U);
+  EXPECT_EQ(pairs, list.pairs().size());
+}
+
 TEST(NeighborList, CoversEveryNodeAndNoOtherNumberOfNodes) {
   RodState state = crowd(50, 6, {}, 9);
   const NeighborList list(state, range, 0.6);
