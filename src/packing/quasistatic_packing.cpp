@@ -31,6 +31,8 @@ constexpr double resolving_substep = 1.0 / 8;
 // cycle as the change of energy, and at 0.55 edge lengths it is that mean (moments that grow linearly
 // from the clamp: it is wrong by YI kappa'^2 l^2 (x^2 / 12 + x / 18 - 1 / 72) for an inlet edge x l).
 constexpr double longest_inlet = 1.1;
+// A short edge that presses on strands can be too stiff to come to rest. The split may wait till then.
+constexpr double latest_split = 1.5;
 constexpr double inlet_of_whole_edges = 0.6;
 
 // What settles by itself when the wire has slid along itself, and how well, over the tolerance of
@@ -295,15 +297,22 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
     dissipated += work.dissipated;
     return Rest{rest, work.dissipated + work.stored - at_start.stored};
   };
-  if (!slides && split_is_due(rod, longest_inlet * scenario_.wire.edge_length)) {
+  if (split_is_due(rod, longest_inlet * scenario_.wire.edge_length)) {
+    const PackingProgress unsplit = next;
     split_inlet(rod, model_->nozzle, scenario_.wire);
     const RodState before = rod;
     const Rest split =
         relax_with_friction(before, start_friction(scenario_, *model_, rod, next.slip_memory));
-    if (result.failure) return result;
-    next.balance.remeshing += energy_before - split.report.energy - split.against_friction;
-    energy_before = split.report.energy;
-    force_before = split.report.inlet_length_force;
+    if (!result.failure) {
+      next.balance.remeshing += energy_before - split.report.energy - split.against_friction;
+      energy_before = split.report.energy;
+      force_before = split.report.inlet_length_force;
+    } else if (!split_is_due(unsplit.rod, latest_split * scenario_.wire.edge_length)) {
+      next = unsplit;
+      dissipated = 0;
+    } else {
+      return result;
+    }
   }
   const RodState before = rod;
   const SlipWork at_start = start_friction(scenario_, *model_, rod, next.slip_memory);
