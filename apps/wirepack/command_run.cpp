@@ -88,8 +88,9 @@ int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario
   } else if (*result.stop == StopReason::no_equilibrium) {
     say("no equilibrium was found for the next increment, even in the smallest substep; " + saved);
   } else if (*result.stop == StopReason::strands_passed) {
-    say("strands pass through each other in the next increment, even in the smallest substep; " +
-        saved);
+    say("strands pass through each other in the next increment" +
+        std::string(scenario.method == Method::dynamic ? "" : ", even in the smallest substep") +
+        "; " + saved);
   }
   return exit_code(result);
 }

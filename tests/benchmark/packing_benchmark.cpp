@@ -23,11 +23,13 @@ void packing(benchmark::State& bench, const Run& run) {
   scenario.stop.scaled_force.reset();
   scenario.stop.density = run.density;
 
-  double evaluations = 0, evaluated_nodes = 0;
+  double evaluations = 0, evaluated_nodes = 0, start_length = 0;
   HistoryRow last;
+  WorkBalance balance;
   StopReason end{};
   for (auto _ : bench) {
     QuasistaticPacking packing(scenario);
+    start_length = packing.progress().last.inserted_length;
     std::optional<StopReason> reason;
     while (!reason) {
       reason = packing.advance();
@@ -36,6 +38,7 @@ void packing(benchmark::State& bench, const Run& run) {
       evaluated_nodes += progress.last.evaluations * static_cast<double>(progress.rod.node_count());
     }
     last = packing.progress().last;
+    balance = packing.progress().balance;
     end = *reason;
   }
   bench.SetLabel("ended by " + std::string(name_of(end)));
@@ -43,13 +46,14 @@ void packing(benchmark::State& bench, const Run& run) {
   bench.counters["increments"] = last.increment;
   bench.counters["evaluations_per_increment"] = evaluations / last.increment;
   // Increments are halved where they do not resolve a jump, so costs are also per wire fed.
-  const double fed = last.inserted_length - 2 * scenario.wire.edge_length;
+  const double fed = last.inserted_length - start_length;
   bench.counters["evaluations_per_length"] = evaluations / fed;
   bench.counters["ms_per_length"] =
       benchmark::Counter(1e-3 * fed, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   bench.counters["ns_per_node_and_evaluation"] = benchmark::Counter(
       1e-9 * evaluated_nodes, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   bench.counters["bend_energy"] = last.energy_bend;
+  bench.counters["residue_percent"] = 100 * residue(balance, last) / balance.work;
 }
 
 void once(benchmark::internal::Benchmark* bench) {
@@ -71,6 +75,10 @@ BENCHMARK_CAPTURE(packing, r5_high_to_75_percent, Run{Setup::high_torsion, 5, 1,
 BENCHMARK_CAPTURE(packing, r20_coarse_to_3_percent, Run{Setup::low_torsion, 20, 2, 1, 0.03})
     ->Apply(once);
 BENCHMARK_CAPTURE(packing, r20_by_edges_to_10_percent, Run{Setup::low_torsion, 20, 2, 2, 0.1})
+    ->Apply(once);
+BENCHMARK_CAPTURE(packing, r20_low_to_30_percent, Run{Setup::low_torsion, 20, 2, 2, 0.3})
+    ->Apply(once);
+BENCHMARK_CAPTURE(packing, r20_high_to_30_percent, Run{Setup::high_torsion, 20, 2, 2, 0.3})
     ->Apply(once);
 
 }  // namespace
