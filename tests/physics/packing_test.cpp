@@ -54,11 +54,33 @@ TEST(Packing, ByWholeEdgesTheWireStoresWhatItStoresByPartsOfThem) {
   const PackedRun parts = pack(scenario);
   const double energy = parts.progress.last.energy_total;
   EXPECT_NEAR(whole.progress.last.energy_total, energy, 0.01 * energy);
-  // the force is always read at the same phase of the mesh: 1 % too little work for l = R / 10
+  // the force is always read at the same phase of the mesh, one at which it is its mean to 1 %
   const WorkBalance& balance = whole.progress.balance;
   EXPECT_NEAR(balance.work, whole.progress.last.energy_total + balance.released + balance.remeshing,
               0.01 * energy);
   EXPECT_LT(whole.rows.size(), 0.6 * static_cast<double>(parts.rows.size()));
+}
+
+// With edges of R / 5 an inlet edge that grew to one and a half took 5 % of the work by its splits.
+TEST(Packing, OnACoarseMeshTheWorkIsStoredAndSplitsTakeLittle) {
+  Scenario scenario = default_scenario(Setup::low_torsion, {10});
+  scenario.wire.edge_length = 2;
+  scenario.stop.density = 0.25;
+  for (const double increment : {1.0, 2.0}) {
+    scenario.insertion.increment = increment;
+    const PackedRun run = pack(scenario);
+    const WorkBalance& balance = run.progress.balance;
+    const double energy = run.progress.last.energy_total;
+    EXPECT_NEAR(balance.work, energy + balance.released + balance.remeshing, 0.01 * energy);
+    EXPECT_LT(std::abs(balance.remeshing), 0.02 * energy) << increment;
+  }
+}
+
+// At a density of 0.83 a short inlet edge under a strand is too stiff for the round-off of the energy.
+TEST(Packing, GoesOnWhereASplitOfTheInletEdgeLeavesNoRest) {
+  Scenario scenario = small_sphere(Setup::low_torsion, 0.835);
+  scenario.insertion.increment = scenario.wire.edge_length;
+  EXPECT_EQ(pack(scenario).stop, StopReason::density);
 }
 
 TEST_P(BothSetups, EveryIncrementIsInEquilibriumAndWorkIsStoredOrReleased) {
@@ -71,7 +93,7 @@ TEST_P(BothSetups, EveryIncrementIsInEquilibriumAndWorkIsStoredOrReleased) {
   const double energy = run.progress.last.energy_total;
   EXPECT_GT(energy, 1);
   EXPECT_NEAR(balance.work, energy + balance.released + balance.remeshing, 0.01 * energy);
-  EXPECT_LT(std::abs(balance.remeshing), 0.04 * energy);
+  EXPECT_LT(std::abs(balance.remeshing), 0.02 * energy);
   EXPECT_LT(run.progress.last.max_overlap, 0.35);  // the tip's, at its point load
 }
 
