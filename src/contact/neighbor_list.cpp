@@ -60,14 +60,20 @@ void for_each_neighborhood(const RodState& state, double reach, Index separation
   // Cells of half the reach: five in a row hold less than three whole ones would.
   const CellGrid grid = sort_into_cells(midpoints, reach / 2);
   constexpr Index span = 2;
-  Points by_cell(3, edges);  // neighbours in space are neighbours in memory
+  // Neighbours in space are neighbours in memory, a row for each coordinate; four may be read anywhere.
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+  Rows by_cell = Rows::Zero(edges + lane_count, 3);
   for (Index p = 0; p < edges; ++p) {
-    by_cell.col(p) = midpoints.col(grid.order[static_cast<std::size_t>(p)]);
+    by_cell.row(p) = midpoints.col(grid.order[static_cast<std::size_t>(p)]).transpose();
   }
-  std::vector<Index> near;
+  const Lanes reach2 = reach * reach;
+  std::vector<Index> found(static_cast<std::size_t>(edges + 1)), near;
   for (Index j = 0; j < edges; ++j) {
-    near.clear();
-    const Vec3 middle = midpoints.col(j);
+    std::size_t count = 0;
+    const Triple<double> middle = triple(midpoints.col(j));
+    // a line that closes on itself has its neighbours at both ends
+    const Index first_far = j + separation;
+    const Index last_far = state.ends.closed ? j + edges - separation : edges;
     const Index cell = grid.cell_of[static_cast<std::size_t>(j)];
     const Index z = cell % grid.size[2];
     const Index y = cell / grid.size[2] % grid.size[1];
@@ -82,14 +88,22 @@ void for_each_neighborhood(const RodState& state, double reach, Index separation
         const Index row = (cx * grid.size[1] + cy) * grid.size[2];
         const Index first = grid.start[static_cast<std::size_t>(row + from(z))];
         const Index end = grid.start[static_cast<std::size_t>(row + to(z, 2) + 1)];
-        for (Index p = first; p < end; ++p) {
-          const Index k = grid.order[static_cast<std::size_t>(p)];
-          if (k - j < separation) continue;
-          if (state.ends.closed && j + edges - k < separation) continue;
-          if ((by_cell.col(p) - middle).squaredNorm() <= reach * reach) near.push_back(k);
+        for (Index p = first; p < end; p += lane_count) {
+          const auto coordinate = [&](Index c) { return load<Lanes>(&by_cell(p, c)); };
+          const Triple<Lanes> apart{coordinate(0) - middle.x, coordinate(1) - middle.y,
+                                    coordinate(2) - middle.z};
+          std::array<double, lane_count> within;
+          store(select(dot(apart, apart) <= reach2, 1.0, 0.0), within.data());
+          // written in any case and kept if near: no branch on this could be foretold
+          for (Index q = p; q < std::min(p + lane_count, end); ++q) {
+            const Index k = found[count] = grid.order[static_cast<std::size_t>(q)];
+            const bool far = k >= first_far && k <= last_far;
+            count += within[static_cast<std::size_t>(q - p)] > 0 && far ? 1 : 0;
+          }
         }
       }
     }
+    near.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
     f(j, near);
   }
 }
