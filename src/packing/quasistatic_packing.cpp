@@ -279,7 +279,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   const double fed = length_of_step();
   const bool slides = feeds_whole_edges(scenario_) && is_whole_edge(fed, scenario_.wire);
   double force_before = next.last.force;
-  double dissipated = 0;
+  double dissipated = 0, released_by_split = 0;
   // Goes to rest from where friction has started; what rest is left with is elastic energy alone.
   const auto relax_with_friction = [&](const RodState& before, const SlipWork& at_start) {
     EquilibriumReport rest;
@@ -304,7 +304,10 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
     const Rest split =
         relax_with_friction(before, start_friction(scenario_, *model_, rod, next.slip_memory));
     if (!result.failure) {
-      next.balance.remeshing += energy_before - split.report.energy - split.against_friction;
+      released_by_split = book_split(
+          energy_before - split.report.energy - split.against_friction,
+          scenario_.wire.edge_length * std::max(std::abs(force_before), model_->force_unit),
+          next.balance);
       energy_before = split.report.energy;
       force_before = split.report.inlet_length_force;
     } else if (!split_is_due(unsplit.rod, latest_split * scenario_.wire.edge_length)) {
@@ -340,8 +343,8 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
             model_->force_unit, slides},
            next.balance, next.work_errors);
   result.unresolved = !booking.resolved;
-  row.snap_energy = booking.released;
-  if (booking.released > 0) ++next.snaps;
+  row.snap_energy = booking.released + released_by_split;
+  if (row.snap_energy > 0) ++next.snaps;
   next.last = row;
   note_crossings(scenario_, row, next);
   return result;

@@ -15,6 +15,9 @@ constexpr double error_share = 0.003;
 constexpr double largest_edge_share = 0.02;
 constexpr double edge_weight = 1.0 / 8;
 
+// Of the work over an edge: a split that takes more has set off a snap.
+constexpr double largest_split_share = 0.1;
+
 }  // namespace
 
 WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors) {
@@ -38,6 +41,12 @@ WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors)
   }
   const bool small = std::abs(error) <= resolved_share * scale;
   return {0, small || std::abs(errors.trapezoid) <= std::max(before, allowed)};
+}
+
+double book_split(double taken, double edge_work, WorkBalance& balance) {
+  const bool snap = taken > largest_split_share * edge_work;
+  (snap ? balance.released : balance.remeshing) += taken;
+  return snap ? taken : 0;
 }
 
 }  // namespace wirepack

@@ -48,4 +48,9 @@ struct WorkBooking {
 /// steadily off; parts of an edge have to tell that from a snap.
 WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors);
 
+/// Puts what a split of the inlet edge has taken away (negative: added) down to the mesh, or to a snap that
+/// it set off where it is more than a tenth of `edge_work`, the work over an edge. Returns what was
+/// released by a snap.
+double book_split(double taken, double edge_work, WorkBalance& balance);
+
 }  // namespace wirepack

@@ -45,6 +45,15 @@ TEST(WorkBalance, AFirstSnapIsFollowedInHalvesUntilItsSizeIsKnown) {
   EXPECT_TRUE(book({0.5, 1.01, 1, -1, unit, false}, balance, errors).resolved);
 }
 
+TEST(WorkBalance, ASplitThatTakesMoreThanATenthOfTheWorkOverAnEdgeHasSetOffASnap) {
+  WorkBalance balance;
+  EXPECT_EQ(book_split(0.05, 1, balance), 0);
+  EXPECT_EQ(book_split(-0.3, 1, balance), 0);
+  EXPECT_EQ(book_split(0.2, 1, balance), 0.2);
+  EXPECT_DOUBLE_EQ(balance.remeshing, -0.25);
+  EXPECT_EQ(balance.released, 0.2);
+}
+
 TEST(WorkBalance, TheMeshMayKeepTwoPercentOfWholeEdgesAndWhatIsMoreIsAnError) {
   WorkBalance balance;
   balance.work = 100;
