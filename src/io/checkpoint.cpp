@@ -238,7 +238,7 @@ PackingProgress read_progress(hid_t file) {
     progress.slip_memory = memory_of(read_table<double>(checkpoint, "slip_memory", 6));
   }
   for_each_checkpoint_scalar(progress, read_from(checkpoint));
-  if (has_attribute(checkpoint, "missed_by_edge")) {  // files of 0.1.0 have none
+  if (has_attribute(checkpoint, "trapezoid_error")) {  // files of 0.1.0 have none
     progress.work_errors.edge_share = read_attribute<double>(checkpoint, "missed_by_edge");
     progress.work_errors.trapezoid = read_attribute<double>(checkpoint, "trapezoid_error");
   }
