@@ -14,7 +14,7 @@ constexpr Index wall = -1;
 // Strands that slide pass their contact on to neighbouring edges, on by the slip of an increment.
 constexpr Index reach = 2;
 
-bool before(const EdgePair& a, const EdgePair& b) {
+bool before_in_order(const EdgePair& a, const EdgePair& b) {
   return a.first != b.first ? a.first < b.first : a.second < b.second;
 }
 
@@ -97,20 +97,27 @@ void SlipPotential::start(const RodState& state, std::span<const SelfContact> to
   }
 }
 
-bool SlipPotential::is_held(const EdgePair& edges) const {
-  const bool on_wall = edges.second == wall;
-  const Index near = on_wall ? 0 : reach;
-  return std::any_of(contacts_.begin(), contacts_.end(), [&](const Contact& c) {
-    return c.anchor.on_wall == on_wall && std::abs(c.edges.first - edges.first) <= near &&
-           std::abs(c.edges.second - edges.second) <= near;
-  });
-}
-
 Index SlipPotential::join(const RodState& before, const RodState& now,
                           std::span<const SelfContact> touches,
                           const Eigen::VectorXd& wall_forces) {
   if (friction_.model == FrictionModel::none || friction_.static_coefficient == 0) return 0;
   const double tolerance = friction_.slip_tolerance * params_.radius;
+  std::vector<EdgePair> held;
+  for (const Contact& c : contacts_) held.push_back(c.edges);
+  std::sort(held.begin(), held.end(), before_in_order);
+  // a node on the wall itself; of two strands also their neighbouring edges
+  const auto is_held = [&](const EdgePair& edges) {
+    const Index near = edges.second == wall ? 0 : reach;
+    const auto from =
+        std::lower_bound(held.begin(), held.end(), edges.first - near,
+                         [](const EdgePair& h, Index first) { return h.first < first; });
+    const auto to = std::find_if(from, held.end(),
+                                 [&](const EdgePair& h) { return h.first > edges.first + near; });
+    return std::any_of(from, to, [&](const EdgePair& h) {
+      return (h.second == wall) == (edges.second == wall) &&
+             std::abs(h.second - edges.second) <= near;
+    });
+  };
   std::vector<Contact> joining;
   const auto add = [&](const EdgePair& edges, double normal_force, const SurfaceAnchor& anchor) {
     const double stiffness = friction_.static_coefficient * normal_force / tolerance;
@@ -207,8 +214,9 @@ std::vector<SlipMemory> SlipPotential::memory(const RodState& state) const {
     const double slid = std::max(0.0, length - c.limit);
     memory.push_back({c.edges, slid > 0 ? Vec3(c.limit / length * u) : u, slid});
   }
-  std::sort(memory.begin(), memory.end(),
-            [](const SlipMemory& a, const SlipMemory& b) { return before(a.edges, b.edges); });
+  std::sort(memory.begin(), memory.end(), [](const SlipMemory& a, const SlipMemory& b) {
+    return before_in_order(a.edges, b.edges);
+  });
   return memory;
 }
 

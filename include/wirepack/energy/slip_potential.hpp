@@ -66,8 +66,6 @@ class SlipPotential {
     double expected;          ///< |u| to reckon with
   };
 
-  bool is_held(const EdgePair& edges) const;
-
   RodParams params_;
   SphericalCavity cavity_;
   FrictionParams friction_;
