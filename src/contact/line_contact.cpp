@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "wirepack/core/lane_differences.hpp"
+
 #include "line_meeting.hpp"
 
 namespace wirepack {
@@ -30,6 +32,25 @@ std::optional<LineContact> LineKernel::touch(const Line& first, const Line& seco
   const double stiffness = m.weight1.value * m.weight2.value * pair_stiffness(m.parallel);
   return LineContact{m.s.value, m.t.value, stiffness, vec3(m.separation),
                      std::sqrt(m.squared_distance)};
+}
+
+Eigen::Matrix<double, 9, 9> LineKernel::second_derivative(const Line& first,
+                                                          const Line& second) const {
+  const Vec3 w = first.midpoint - second.midpoint, e1 = first.vector, e2 = second.vector;
+  const double step = 1e-5 * edge_length;
+  return wirepack::second_derivative<9>(
+      {w.x(), w.y(), w.z(), e1.x(), e1.y(), e1.z(), e2.x(), e2.y(), e2.z()}, step,
+      [&](const std::array<Lanes, 9>& x) -> std::array<Lanes, 9> {
+        const auto line = [](const Triple<Lanes>& midpoint, const Triple<Lanes>& vector) {
+          return LineOf<Lanes>{midpoint, vector, 1.0 / dot(vector, vector)};
+        };
+        const LineOf<Lanes> one = line({x[0], x[1], x[2]}, {x[3], x[4], x[5]});
+        const LineOf<Lanes> other = line({0.0, 0.0, 0.0}, {x[6], x[7], x[8]});
+        LineGradientOf<Lanes> g;
+        contact_energy(*this, wirepack::meet(*this, one, other, NoEnd(), NoEnd()), one, other, g);
+        return {g.midpoint1.x, g.midpoint1.y, g.midpoint1.z, g.vector1.x, g.vector1.y,
+                g.vector1.z,   g.vector2.x,   g.vector2.y,   g.vector2.z};
+      });
 }
 
 double LineKernel::energy(const Line& first, const Line& second, LineGradient& gradient) const {

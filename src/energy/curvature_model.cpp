@@ -8,8 +8,9 @@
 
 namespace wirepack {
 
-CurvatureModel::CurvatureModel(const FrameChart& chart)
+CurvatureModel::CurvatureModel(const FrameChart& chart, double exactness)
     : chart_(&chart),
+      exactness_(exactness),
       places_(static_cast<std::size_t>(band * chart.block_count()), {-1, -1}),
       blocks_(places_.size(), Eigen::Matrix4d::Zero()) {
   const RodState& state = chart.reference();
@@ -76,6 +77,18 @@ void CurvatureModel::add_square(double weight, std::span<const NodePart> nodes,
       const Slot& row = ordered ? slots[p] : slots[q];
       const Slot& column = ordered ? slots[q] : slots[p];
       block(row.block, column.block).noalias() += weight * row.value * column.value.transpose();
+    }
+  }
+}
+
+void CurvatureModel::add_hessian(double weight, const Hessian& hessian,
+                                 std::span<const Index> blocks) {
+  const auto count = static_cast<Index>(blocks.size());
+  for (Index p = 0; p < count; ++p) {
+    for (Index q = 0; q < count; ++q) {
+      const Index row = blocks[static_cast<std::size_t>(p)];
+      const Index column = blocks[static_cast<std::size_t>(q)];
+      if (row >= column) block(row, column) += weight * hessian.block<4, 4>(4 * p, 4 * q);
     }
   }
 }

@@ -6,9 +6,10 @@
 
 #include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
-#include "wirepack/rod/joint_strain.hpp"
 #include "wirepack/rod/rest_strain.hpp"
 #include "wirepack/rod/rod_strain.hpp"
+
+#include "joint_gradient.hpp"
 
 namespace wirepack {
 
@@ -25,27 +26,6 @@ double guide(const RodState& state, Index node) {
 }
 
 }  // namespace
-
-// Without torsion and rest curvature the bending energy is a function of the tangents alone:
-// K / 2 |2 t x t' / (1 + t.t')|^2 = 2 K (1 - t.t') / (1 + t.t'), K = YI / l.
-template <class T>
-struct TangentBending {
-  T energy;
-  Triple<T> by_before, by_after;  // each normal to its tangent
-};
-
-template <class T>
-[[gnu::always_inline]] inline TangentBending<T> tangent_bending(const Triple<T>& before,
-                                                                const Triple<T>& after,
-                                                                const T& k) {
-  const T cosine = dot(before, after);
-  const Triple<T> normal = cross(before, after);
-  const T f = 1.0 / (1.0 + cosine);
-  const T by_cosine = -4.0 * k * f * f;
-  // the cross product keeps the digits that 1 - cosine loses
-  return {2.0 * k * dot(normal, normal) * f * f, by_cosine * (after - cosine * before),
-          by_cosine * (before - cosine * after)};
-}
 
 struct Tangent {
   Triple<double> direction;
@@ -116,34 +96,13 @@ double add_bending_of_tangents(const RodState& state, const RodParams& params, d
   return energy.total();
 }
 
-// Energy of a joint of this length, and its derivative by the spin of the frame behind it, which is
-// minus that by the frame before it.
-template <class T>
-struct JointGradient {
-  T energy;
-  Triple<T> moment, by_spin;
-};
-
-template <class T>
-[[gnu::always_inline]] inline JointGradient<T> joint_gradient(const QuatOf<T>& before,
-                                                              const QuatOf<T>& after,
-                                                              const T& guide, const Triple<T>& rest,
-                                                              const Vec3& stiffness,
-                                                              double length) {
-  const JointStrainOf<T> strain = joint_strain(before, after, guide);
-  const Triple<T> excess = strain.value - rest;
-  const Vec3 k = stiffness / length;
-  const Triple<T> moment{k.x() * excess.x, k.y() * excess.y, k.z() * excess.z};
-  return {0.5 * dot(moment, excess), moment,
-          before * (moment.x * strain.bend1_by_spin + moment.y * strain.bend2_by_spin +
-                    moment.z * strain.twist_by_spin)};
-}
-
 JointEnergy::JointEnergy(const RodParams& params, const Stiffness& stiffness)
     : params_(params), stiffness_(joint_stiffness(stiffness)) {}
 
+bool JointEnergy::of_tangents_alone() const { return stiffness_.z() == 0 && is_straight(params_); }
+
 double JointEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  if (stiffness_.z() == 0 && is_straight(params_)) {
+  if (of_tangents_alone()) {
     return add_bending_of_tangents(state, params_, stiffness_.x(), gradient);
   }
   LaneSum energy;
@@ -176,22 +135,6 @@ double JointEnergy::add_gradient(const RodState& state, Gradient& gradient) cons
                              vec3(joint.moment).dot(rest_strain_by_inlet(state, params_, j.node));
   });
   return energy.total();
-}
-
-void JointEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {
-  for_each_joint(state, [&](const Joint& joint) {
-    const Quat& before = frame(state, joint.before);
-    const double length = node_length(state, params_, joint.node);
-    const JointStrain strain =
-        joint_strain_derivative(before, frame(state, joint.after), guide(state, joint.node));
-    for (int k = 0; k < 3; ++k) {
-      if (stiffness_[k] == 0) continue;
-      const Vec3 by_spin = before * Vec3(strain.by_spin.row(k));
-      const std::array<CurvatureModel::FramePart, 2> parts{
-          {{joint.after, by_spin}, {joint.before, -by_spin}}};
-      model.add_square(stiffness_[k] / length, {}, parts);
-    }
-  });
 }
 
 NodeEnergies node_energies(const RodParams& params, const RodState& state) {

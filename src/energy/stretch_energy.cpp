@@ -49,11 +49,23 @@ double StretchEnergy::add_gradient(const RodState& state, Gradient& gradient) co
 }
 
 void StretchEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {
+  const double exactness = model.exactness();
   for (Index j = 0; j < state.edge_count(); ++j) {
     const Index next = next_node(state, j);
-    const Vec3 t = (state.nodes.col(next) - state.nodes.col(j)).normalized();
+    const Vec3 edge = state.nodes.col(next) - state.nodes.col(j);
+    const double length = edge.norm();
+    const Vec3 t = edge / length;
+    const double rest = rest_length(state, params_, j);
     const std::array<CurvatureModel::NodePart, 2> parts{{{next, t}, {j, -t}}};
-    model.add_square(stiffness_ / rest_length(state, params_, j), parts);
+    model.add_square(stiffness_ / rest, parts);
+    if (exactness == 0) continue;
+    // what is missing: the tension turns with the edge
+    const double tension = stiffness_ * (length / rest - 1);
+    CurvatureModel::Hessian turning = CurvatureModel::Hessian::Zero(8, 8);
+    turning.block<3, 3>(0, 0) = tension / length * (Mat3::Identity() - t * t.transpose());
+    turning.block<3, 3>(4, 4) = turning.block<3, 3>(0, 0);
+    turning.block<3, 3>(0, 4) = turning.block<3, 3>(4, 0) = -turning.block<3, 3>(0, 0);
+    model.add_hessian(exactness, turning, std::array<Index, 2>{j, next});
   }
 }
 

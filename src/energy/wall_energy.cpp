@@ -40,13 +40,14 @@ void WallEnergy::add_curvature(const RodState& state, CurvatureModel& model) con
   for (Index i = 0; i < state.node_count(); ++i) {
     const Vec3 r = state.nodes.col(i);
     const double overlap = -wall_gap(cavity_, r, params_.radius);
-    if (overlap <= 0) continue;
+    if (overlap <= -nearly_touching * params_.radius) continue;
     const double distance = r.norm();
     const Vec3 n = r / distance;
     const double k = node_length(state, params_, i) * stiffness_;
     // exact Hessian: the normal part, and the wall's own curvature times the force
+    const double turning = std::max(0.0, overlap) / distance;
     model.add_node_block(
-        i, k * (n * n.transpose() + overlap / distance * (Mat3::Identity() - n * n.transpose())));
+        i, k * (n * n.transpose() + turning * (Mat3::Identity() - n * n.transpose())));
   }
 }
 

@@ -85,23 +85,24 @@ class PointCost : public ceres::CostFunction {
 };
 
 // No direction of the unknowns lets the residuals fall noticeably: each column of the Jacobian is
-// normal to them, or they are nothing but round-off.
+// normal to them, or they, or what it could take from them, are nothing but round-off.
 bool at_rest(const Residuals& residuals, const RowMajor& jacobian, double huber) {
   const Eigen::VectorXd distances = residuals.weighted_distances();
   Eigen::VectorXd bounded(jacobian.rows());
-  double unweighted = 0;
+  double unweighted = 0, largest_weight = 0;
   for (Index i = 0; i < distances.size(); ++i) {
     const double share = huber > 0 && distances[i] > huber ? huber / distances[i] : 1;
     for (Index r = 0; r < residuals.rows(); ++r) {
       bounded[residuals.rows() * i + r] = share * residuals.value(i, r);
     }
     unweighted = std::max(unweighted, distances[i] / residuals.weight(i));
+    largest_weight = std::max(largest_weight, residuals.weight(i));
   }
   if (unweighted < 1e-11) return true;
+  const double noticeable = std::max(1e-5 * bounded.norm(), 1e-12 * largest_weight);
   for (Index k = 0; k < jacobian.cols(); ++k) {
     if (k == DarbouxCurve::shift_along && residuals.rows() == 2) continue;
-    const double size = bounded.norm() * jacobian.col(k).norm();
-    if (std::abs(jacobian.col(k).dot(bounded)) > 1e-5 * size) return false;
+    if (std::abs(jacobian.col(k).dot(bounded)) > noticeable * jacobian.col(k).norm()) return false;
   }
   return true;
 }

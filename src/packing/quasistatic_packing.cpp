@@ -35,6 +35,10 @@ constexpr double longest_inlet = 1.1;
 constexpr double latest_split = 1.5;
 constexpr double inlet_of_whole_edges = 0.6;
 
+// The Hessian has negative eigenvalues on the way down; this much of it nearly always leaves a positive
+// model.
+constexpr double curvature_exactness = 0.7;
+
 // What settles by itself when the wire has slid along itself, and how well, over the tolerance of
 // rest: a few nodes are quick, and all else is at rest already.
 constexpr Index tip_nodes = 5;
@@ -131,6 +135,7 @@ EquilibriumReport relax(const Scenario& scenario, QuasistaticPacking::Model& mod
   const bool coiled = total_rest_length(rod, scenario.wire) > 2 * pi * radius;
   EquilibriumOptions options = model.options;
   options.turning_taper = coiled ? radius : 0;
+  options.exactness = curvature_exactness;
   return solve(scenario, model, rod, held_by(model.nozzle, rod), options);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/rod/turning_chart.hpp"
@@ -74,19 +76,30 @@ double guard_energy(const FrameChart& chart, const Points& moves, double distanc
   return energy;
 }
 
+Preconditioner preconditioner_at(const FrameChart& chart, const EnergyFunctions& energy,
+                                 const EquilibriumOptions& options, SolverWork& work) {
+  const auto factored = [&](double exactness) {
+    CurvatureModel model(chart, exactness);
+    energy.add_curvature(chart.reference(), model);
+    ++work.factorizations;
+    return Preconditioner::factored(model.lower_triangle(options.shift), options.shift);
+  };
+  std::optional<Preconditioner> result = factored(options.exactness);
+  if (!result && options.exactness > 0) result = factored(0);
+  if (!result) throw NumericalFailure("the curvature model is not positive definite");
+  return std::move(*result);
+}
+
 // One round: one chart, one factor.
 void descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& energy,
                   const EquilibriumOptions& options, double guard_distance, int max_evaluations,
                   SolverWork& work) {
   Stopwatch watch;
   const FrameChart chart(best.state, held);
-  CurvatureModel model(chart);
   work.list_builds += energy.prepare(chart.reference());
   watch.lap(work.list_seconds);
-  energy.add_curvature(chart.reference(), model);
-  Preconditioner preconditioner(model.lower_triangle(options.shift), options.shift);
+  Preconditioner preconditioner = preconditioner_at(chart, energy, options, work);
   watch.lap(work.factorization_seconds);
-  ++work.factorizations;
 
   TurningChart turning(chart, options.turning_taper);
   const Eigen::VectorXd inverse_tolerance = inverse_tolerances(chart, options);

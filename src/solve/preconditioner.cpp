@@ -158,7 +158,10 @@ struct Preconditioner::Factor {
   Eigen::VectorXd work;
 };
 
-Preconditioner::Preconditioner(const Eigen::SparseMatrix<double>& lower, double smallest) {
+Preconditioner::Preconditioner(std::unique_ptr<Factor> factor) : factor_(std::move(factor)) {}
+
+std::optional<Preconditioner> Preconditioner::factored(const Eigen::SparseMatrix<double>& lower,
+                                                       double smallest) {
   const OneThread one_thread;
   Cholmod cholmod;
   std::vector<int> order = elimination_order(lower, cholmod);
@@ -168,16 +171,17 @@ Preconditioner::Preconditioner(const Eigen::SparseMatrix<double>& lower, double 
   if (cholmod.factor == nullptr) throw NumericalFailure("the curvature model cannot be ordered");
   cholmod_factorize(&a, cholmod.factor, &cholmod.common);
   const cholmod_factor& factor = *cholmod.factor;
-  if (cholmod.common.status != CHOLMOD_OK || factor.minor < factor.n) {
-    throw NumericalFailure("the curvature model is not positive definite");
+  if (cholmod.common.status < CHOLMOD_OK) {
+    throw NumericalFailure("the curvature model cannot be factored");
   }
+  if (factor.minor < factor.n) return std::nullopt;
   const auto triangle = [&]() -> decltype(Factor::triangle) {
     if (single_precision_serves(lower, smallest)) return TriangularFactor<float>(factor);
     return TriangularFactor<double>(factor);
   };
-  factor_ = std::make_unique<Factor>(Factor{std::move(order), triangle(),
-                                            static_cast<double>(factor.xsize),
-                                            Eigen::VectorXd(lower.rows())});
+  return Preconditioner(std::make_unique<Factor>(Factor{std::move(order), triangle(),
+                                                        static_cast<double>(factor.xsize),
+                                                        Eigen::VectorXd(lower.rows())}));
 }
 
 Preconditioner::~Preconditioner() = default;

@@ -60,6 +60,9 @@ struct LineKernel {
 
   /// The touch of two lines; nothing when they are apart or meet outside the support of the pair.
   std::optional<LineContact> touch(const Line& first, const Line& second) const;
+  /// Second derivative of the energy of a pair that touches and has no free end, by the vector between
+  /// the midpoints (second to first) and both edge vectors.
+  Eigen::Matrix<double, 9, 9> second_derivative(const Line& first, const Line& second) const;
   /// Energy of the pair; sets its exact gradient when they touch (else leaves it alone).
   double energy(const Line& first, const Line& second, LineGradient& gradient) const;
 };

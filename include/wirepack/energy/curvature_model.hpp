@@ -9,9 +9,14 @@
 
 namespace wirepack {
 
-/// Positive definite model of the Hessian in the unknowns of a chart, at the chart's reference:
-/// a sum of squares w g g^T, g the gradient of a strain, gap or other scalar. Energy terms add
-/// their squares by nodes and spins and see no numbering.
+/// Gaps below this, over the wire radius, count as closed in curvature models: a contact that forms on
+/// the way is far stiffer than all else, so a model that does not know of it fits badly.
+inline constexpr double nearly_touching = 1e-3;
+
+/// Model of the Hessian in the unknowns of a chart, at the chart's reference, between two: a sum of
+/// squares w g g^T, g the gradient of a strain, gap or other scalar, which is positive semidefinite
+/// (Gauss and Newton's); and the Hessian, which also knows how forces turn with the wire but need not be
+/// positive. Energy terms add both by nodes, spins and blocks and see no numbering.
 class CurvatureModel {
  public:
   struct NodePart {
@@ -23,11 +28,20 @@ class CurvatureModel {
     Vec3 by_spin;
   };
 
-  explicit CurvatureModel(const FrameChart& chart);
+  /// `exactness` from 0, squares alone, to 1, the Hessian.
+  explicit CurvatureModel(const FrameChart& chart, double exactness = 0);
+
+  const FrameChart& chart() const { return *chart_; }
+  /// A term that knows its Hessian adds its squares with 1 - exactness and its Hessian with exactness.
+  double exactness() const { return exactness_; }
 
   /// Adds weight g g^T for a scalar with these derivatives; weight >= 0, at most 4 nodes and 2 frames.
   void add_square(double weight, std::span<const NodePart> nodes,
                   std::span<const FramePart> frames = {});
+  /// Adds weight times a Hessian by these blocks of the chart, all different and at most 4: symmetric,
+  /// four slots (x, y, z, angle) of each block.
+  using Hessian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 16, 16>;
+  void add_hessian(double weight, const Hessian& hessian, std::span<const Index> blocks);
   /// Adds a symmetric positive semidefinite 3 x 3 block at one node.
   void add_node_block(Index node, const Mat3& value);
 
@@ -45,6 +59,7 @@ class CurvatureModel {
   Eigen::Matrix4d& block(Index row, Index column);
 
   const FrameChart* chart_;
+  double exactness_;
   Points tangents_;                  // of every frame, at the reference
   Eigen::VectorXd inverse_lengths_;  // of every edge
   std::vector<Place> places_;

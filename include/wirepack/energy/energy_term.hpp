@@ -10,8 +10,8 @@
 namespace wirepack {
 
 /// An energy of a state. `add_gradient` returns the energy and adds its exact derivatives, the
-/// explicit one by the inlet rest length included; `add_curvature` adds a positive semidefinite
-/// model of the second derivative. A term sees no solver and no unknowns. A new term comes with:
+/// explicit one by the inlet rest length included; `add_curvature` adds a model of the second
+/// derivative, positive semidefinite where its exactness is 0. A term sees no solver and no unknowns. A new term comes with:
 /// a closed form, a gradient check against differences, and invariance under rigid motion.
 template <class T>
 concept EnergyTerm = requires(const T& term, const RodState& state, Gradient& gradient,

@@ -27,6 +27,9 @@ class JointEnergy {
   void add_curvature(const RodState& state, CurvatureModel& model) const;
 
  private:
+  /// No torsion and no rest curvature.
+  bool of_tangents_alone() const;
+
   RodParams params_;
   Vec3 stiffness_;  // YI, YI, GJ
 };

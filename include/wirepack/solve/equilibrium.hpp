@@ -35,6 +35,8 @@ struct EquilibriumOptions {
   double shift;             ///< on the curvature model's diagonal
   MinimizerOptions method;  ///< evaluations, memory, refactoring
   MoveGuard guard = {};
+  /// Of the curvature model: how much it is the Hessian instead of squares, where that is positive.
+  double exactness = 0;
   double turning_taper = 0;  ///< > 0: steps follow a rotation of the whole wire (TurningChart)
 };
 
@@ -49,7 +51,7 @@ struct EquilibriumReport {
 };
 
 /// Moves `state` to a local minimum of the energy: L-BFGS in variables preconditioned by a factor
-/// of the curvature model; the factor and the chart are renewed in rounds. Judged by the gradient
+/// of the curvature model, of its squares alone where they and the Hessian together are not positive; the factor and the chart are renewed in rounds. Judged by the gradient
 /// alone. `state` is the best point found, also when it has not converged.
 /// Throws NumericalFailure if even the start has no finite energy.
 EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,

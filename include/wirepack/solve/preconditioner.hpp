@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCore>
 #include <memory>
+#include <optional>
 
 #include "wirepack/core/types.hpp"
 
@@ -12,10 +13,11 @@ namespace wirepack {
 /// minimization over x. Factored by CHOLMOD, in double precision.
 class Preconditioner {
  public:
-  /// `lower` is the lower triangle of a positive definite matrix whose eigenvalues are not below
-  /// `smallest` (the shift of a curvature model): it decides whether the factor is kept in single
-  /// precision. Throws NumericalFailure if it is not positive definite.
-  Preconditioner(const Eigen::SparseMatrix<double>& lower, double smallest);
+  /// `lower` is the lower triangle of a symmetric matrix, whose eigenvalues should not be below `smallest`
+  /// (the shift of a curvature model): it decides whether the factor is kept in single precision.
+  /// Nothing if the matrix is not positive definite.
+  static std::optional<Preconditioner> factored(const Eigen::SparseMatrix<double>& lower,
+                                                double smallest);
   ~Preconditioner();
   Preconditioner(Preconditioner&&) noexcept;
   Preconditioner& operator=(Preconditioner&&) noexcept;
@@ -29,6 +31,7 @@ class Preconditioner {
 
  private:
   struct Factor;
+  explicit Preconditioner(std::unique_ptr<Factor> factor);
   std::unique_ptr<Factor> factor_;
 };
 

@@ -1,0 +1,170 @@
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/self_contact_energy.hpp"
+#include "wirepack/energy/stretch_energy.hpp"
+#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/wall_energy.hpp"
+
+#include "../../support/sample_rods.hpp"
+
+namespace wirepack {
+namespace {
+
+using testing::random_rod;
+
+// The full matrix of a curvature model.
+template <EnergyTerm Energy>
+Eigen::MatrixXd model_of(const FrameChart& chart, Energy& energy, double exactness) {
+  functions_of(energy).prepare(chart.reference());
+  CurvatureModel model(chart, exactness);
+  energy.add_curvature(chart.reference(), model);
+  return Eigen::MatrixXd(model.lower_triangle(0)).selfadjointView<Eigen::Lower>();
+}
+
+// Central differences of the gradient in the unknowns of the chart.
+template <EnergyTerm Energy>
+Eigen::MatrixXd hessian_of(const FrameChart& chart, Energy& energy) {
+  functions_of(energy).prepare(chart.reference());
+  const double difference = 1e-5;
+  Eigen::MatrixXd result(chart.size(), chart.size());
+  RodState state = chart.reference();
+  Gradient gradient;
+  Eigen::VectorXd up, down;
+  for (Index k = 0; k < chart.size(); ++k) {
+    const auto gradient_at = [&](double move, Eigen::VectorXd& by_x) {
+      Eigen::VectorXd x = chart.unknowns();
+      x[k] += move;
+      chart.set_state(x, state);
+      set_zero(gradient, state);
+      energy.add_gradient(state, gradient);
+      chart.pull_back(state, gradient.node, gradient.frame, by_x);
+    };
+    gradient_at(difference, up);
+    gradient_at(-difference, down);
+    result.col(k) = (up - down) / (2 * difference);
+  }
+  return result;
+}
+
+template <EnergyTerm Energy>
+void expect_exact_model(const RodState& state, Energy& energy, const HeldUnknowns& held) {
+  const FrameChart chart(state, held);
+  const Eigen::MatrixXd hessian = hessian_of(chart, energy);
+  const double largest = hessian.cwiseAbs().maxCoeff();
+  EXPECT_GT(largest, 1e-2);
+  EXPECT_LT((model_of(chart, energy, 1) - hessian).cwiseAbs().maxCoeff(), 1e-7 * largest);
+  // half-way between the squares and the Hessian
+  const Eigen::MatrixXd mean = (model_of(chart, energy, 0) + hessian) / 2;
+  EXPECT_LT((model_of(chart, energy, 0.5) - mean).cwiseAbs().maxCoeff(), 1e-7 * largest);
+}
+
+template <EnergyTerm Energy>
+void expect_exact_model(const RodState& state, Energy& energy) {
+  expect_exact_model(state, energy, HeldUnknowns::none(state));
+}
+
+std::vector<RodEnds> all_ends() {
+  return {RodEnds{}, RodEnds{.first_clamped = true}, RodEnds{.last_clamped = true},
+          RodEnds{.first_clamped = true, .last_clamped = true}, RodEnds{.closed = true}};
+}
+
+RodParams curved_params() {
+  RodParams params;
+  params.rest_darboux = Vec3(0.05, 0.1, -0.07);
+  return params;
+}
+
+RodState bent_rod(const RodParams& params, const RodEnds& ends) {
+  RodState state = random_rod(8, params, ends, 5);
+  if (ends.closed) {
+    for (Index i = 0; i < 8; ++i) {
+      const double angle = 2 * pi * static_cast<double>(i) / 8;
+      state.nodes.col(i) =
+          Vec3(1.3 * std::cos(angle), 1.3 * std::sin(angle), 0.1 * std::sin(2 * angle));
+    }
+    state = make_rod(state.nodes, params, ends);
+  } else {
+    state.inlet_rest_length = 1.3;
+  }
+  return state;
+}
+
+TEST(Hessian, OfStretchIsExact) {
+  for (const RodEnds& ends : all_ends()) {
+    StretchEnergy energy(curved_params());
+    expect_exact_model(bent_rod(curved_params(), ends), energy);
+  }
+}
+
+TEST(Hessian, OfBendAndTwistIsExactForAllEnds) {
+  for (const RodEnds& ends : all_ends()) {
+    JointEnergy energy(curved_params());
+    expect_exact_model(bent_rod(curved_params(), ends), energy);
+  }
+}
+
+TEST(Hessian, OfBendingWithoutTorsionIsExact) {
+  const RodParams params;
+  for (const RodEnds& ends : all_ends()) {
+    Stiffness without_twist = stiffness(params);
+    without_twist.twist = 0;
+    JointEnergy energy(params, without_twist);
+    const RodState state = bent_rod(params, ends);
+    HeldUnknowns held = HeldUnknowns::none(state);
+    held.angle.assign(held.angle.size(), true);
+    expect_exact_model(state, energy, held);
+  }
+}
+
+TEST(Hessian, OfTheWallIsExact) {
+  const RodParams params = curved_params();
+  WallEnergy energy(params, SphericalCavity{4}, 5);
+  expect_exact_model(bent_rod(params, {.last_clamped = true}), energy);
+}
+
+// Two legs of one rod that press on each other in their middle, away from the ends.
+RodState pressed_legs(double angle) {
+  Points nodes(3, 24);
+  for (Index i = 0; i < 10; ++i) {
+    const double along = static_cast<double>(i) - 4.5;
+    const double away = 0.03 * along * along;
+    nodes.col(i) = rotation_about(Vec3::UnitY(), angle) * Vec3(along, -away, 0);
+    nodes.col(23 - i) = Vec3(along + 0.3, 1.7 + away, 0.1 * std::sin(static_cast<double>(i)));
+  }
+  const Vec3 a = nodes.col(9), b = nodes.col(14);
+  for (Index i = 10; i < 14; ++i) {
+    const double u = static_cast<double>(i - 9) / 5;
+    nodes.col(i) = a + u * (b - a) + std::sin(pi * u) * Vec3(6, 0, 0);
+  }
+  return make_rod(nodes, RodParams{});
+}
+
+TEST(Hessian, OfContactIsExactAtAnyAngle) {
+  for (const double angle : {0.0, 0.3, 1.5}) {
+    SelfContactEnergy energy(RodParams{}, ContactParams{});
+    expect_exact_model(pressed_legs(angle), energy);
+  }
+}
+
+TEST(Hessian, SquaresAreNotNegativeButTheHessianOfACompressedEdgeIs) {
+  const RodParams params;
+  StretchEnergy energy(params);
+  Points nodes = Points::Zero(3, 2);
+  nodes(2, 1) = 0.9 * params.edge_length;
+  const RodState state = make_rod(nodes, params);
+  const FrameChart chart(state, HeldUnknowns::none(state));
+  const auto smallest = [&](double exactness) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(model_of(chart, energy, exactness))
+        .eigenvalues()[0];
+  };
+  EXPECT_GT(smallest(0), -1e-12);
+  // compression over length, of both ends against each other
+  const double compression = 0.1 * stiffness(params).stretch;
+  EXPECT_NEAR(smallest(1), -2 * compression / nodes(2, 1), 1e-9);
+}
+
+}  // namespace
+}  // namespace wirepack
