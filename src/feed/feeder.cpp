@@ -1,7 +1,5 @@
 #include "wirepack/feed/feeder.hpp"
 
-#include <optional>
-
 #include "wirepack/core/rotation.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 
@@ -23,41 +21,6 @@ void slide_one_edge(RodState& state, const RodParams& params) {
   state.twist_guide.insert(state.twist_guide.begin(), state.twist_guide.front());
   carry_frames(state);
   state.twist_guide = joint_twists(state);
-}
-
-namespace {
-
-// Rotation about the origin that takes node i and the direction of the wire there to those one node
-// ahead.
-std::optional<Mat3> turn_to_node_ahead(const Points& nodes, Index i) {
-  const auto axes = [&](Index at) -> std::optional<Mat3> {
-    const Vec3 outward = nodes.col(at).normalized();
-    const Vec3 ahead = (nodes.col(at - 1) - nodes.col(at + 1)).normalized();
-    const Vec3 across = outward.cross(ahead);
-    if (!(across.norm() > 0.5)) return std::nullopt;  // too near a radius
-    Mat3 result;
-    result << outward, across.normalized().cross(outward), across.normalized();
-    return result;
-  };
-  const auto from = axes(i), to = axes(i - 1);
-  if (!from || !to) return std::nullopt;
-  return Mat3(*to * from->transpose());
-}
-
-}  // namespace
-
-void keep_tip_shape(RodState& slid, const Points& before) {
-  constexpr Index tip = 10;
-  if (before.cols() < tip + 3) return;
-  const auto turn = turn_to_node_ahead(before, tip);
-  if (!turn) return;
-  for (Index i = 0; i < tip; ++i) {
-    const double u = 1 - static_cast<double>(i) / tip;
-    const double weight = u * u * (3 - 2 * u);
-    slid.nodes.col(i) += weight * (*turn * before.col(i) - slid.nodes.col(i));
-  }
-  carry_frames(slid);
-  slid.twist_guide = joint_twists(slid);
 }
 
 bool split_is_due(const RodState& state, double longest) {

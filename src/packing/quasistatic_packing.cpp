@@ -327,7 +327,6 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   perturb(scenario_, rod, next.random_state);
   if (slides) {
     slide_one_edge(rod, scenario_.wire);
-    keep_tip_shape(rod, before.nodes);
     if (rod.node_count() > 2 * tip_nodes) result.work += settle_tip(scenario_, *model_, rod);
   } else {
     insert(rod, fed);

@@ -16,13 +16,6 @@ void insert(RodState& state, double arc_length);
 /// the inlet edge keeps its length, so that the force is always read at the same phase of the mesh.
 void slide_one_edge(RodState& state, const RodParams& params);
 
-/// Gives the tip of a wire that has just slid by one edge the shape that the tip had before (3 x N, one
-/// node less): its ten nodes, turned about the origin, the centre of the cavity, by as much as the wire
-/// behind them has turned; fading out along them. A tip that goes round in a coil keeps its distance
-/// from the wall and bends as before. Does nothing to a wire of less than twelve edges, or that runs
-/// along a radius there.
-void keep_tip_shape(RodState& slid, const Points& before);
-
 /// The inlet edge has grown to its longest rest length, and is to be split. The shorter the edge that is
 /// split off, the less energy a split changes: that of an edge without length changes none.
 bool split_is_due(const RodState& state, double longest);

@@ -141,51 +141,5 @@ TEST(Feeder, SlidingOneEdgeMovesTheWireAlongItselfAndGoesOnWithItsCurvature) {
   EXPECT_NEAR(length, wire.params.edge_length, rounding);
 }
 
-// A wire on a circle about the origin whose last edges straighten and leave the wall.
-RodState coil_with_straight_tip(const RodParams& params) {
-  const double radius = 9;
-  const Index count = 30, straight = 4;
-  Points nodes(3, count);
-  for (Index i = 0; i < count; ++i) {
-    const double angle = static_cast<double>(std::max(i, straight)) * params.edge_length / radius;
-    nodes.col(i) = radius * Vec3(std::cos(angle), std::sin(angle), 0.1);
-    if (i >= straight) continue;
-    const Vec3 along(std::sin(angle), -std::cos(angle), -0.05);
-    nodes.col(i) += static_cast<double>(straight - i) * params.edge_length * along.normalized();
-  }
-  return make_rod(nodes, params, {.last_clamped = true});
-}
-
-TEST(Feeder, ATipThatIsKeptHasTheBendingAndTheDistanceFromTheCentreThatItHad) {
-  const RodParams params = params_with(1);
-  const RodState before = coil_with_straight_tip(params);
-  RodState slid = before;
-  slide_one_edge(slid, params);
-  RodState kept = slid;
-  keep_tip_shape(kept, before.nodes);
-  check_state(kept);
-  EXPECT_NEAR(kept.nodes.col(0).norm(), before.nodes.col(0).norm(), 1e-12);
-  const NodeEnergies was = node_energies(params, before);
-  const NodeEnergies is = node_energies(params, kept);
-  const NodeEnergies moved_on = node_energies(params, slid);
-  const Index bend = 4;  // where the straight tip ends
-  EXPECT_GT(was.bend[bend], 4 * was.bend[bend - 1]);
-  EXPECT_NEAR(is.bend[bend], was.bend[bend], 0.3 * was.bend[bend]);
-  EXPECT_LT(moved_on.bend[bend], 0.1 * was.bend[bend]);
-  EXPECT_EQ((kept.nodes.rightCols(20) - slid.nodes.rightCols(20)).norm(), 0);
-}
-
-TEST(Feeder, ATipOnTheWayAcrossTheCavityGoesStraightOn) {
-  const RodParams params = params_with(1);
-  Points nodes(3, 20);
-  for (Index i = 0; i < 20; ++i) nodes.col(i) = Vec3(0, 0, static_cast<double>(i) - 10);
-  const RodState before = make_rod(nodes, params, {.last_clamped = true});
-  RodState slid = before;
-  slide_one_edge(slid, params);
-  RodState kept = slid;
-  keep_tip_shape(kept, before.nodes);
-  EXPECT_EQ((kept.nodes - slid.nodes).norm(), 0);
-}
-
 }  // namespace
 }  // namespace wirepack
