@@ -16,10 +16,6 @@ namespace {
 // of the second derivative.
 constexpr double difference = 1e-5;
 
-const Quat& frame(const RodState& state, Index index) {
-  return state.frames[static_cast<std::size_t>(index)];
-}
-
 template <class T>
 Triple<T> triple_of(const Vec3& v) {
   return {v.x(), v.y(), v.z()};

@@ -17,10 +17,6 @@ namespace {
 
 Vec3 joint_stiffness(const Stiffness& s) { return {s.bend, s.bend, s.twist}; }
 
-const Quat& frame(const RodState& state, Index index) {
-  return state.frames[static_cast<std::size_t>(index)];
-}
-
 double guide(const RodState& state, Index node) {
   return state.twist_guide[static_cast<std::size_t>(node)];
 }

@@ -2,8 +2,13 @@
 
 #include "wirepack/core/lanes.hpp"
 #include "wirepack/rod/joint_strain.hpp"
+#include "wirepack/rod/rod_state.hpp"
 
 namespace wirepack {
+
+inline const Quat& frame(const RodState& state, Index index) {
+  return state.frames[static_cast<std::size_t>(index)];
+}
 
 // Without torsion and rest curvature the bending energy is a function of the tangents alone:
 // K / 2 |2 t x t' / (1 + t.t')|^2 = 2 K (1 - t.t') / (1 + t.t'), K = YI / l.

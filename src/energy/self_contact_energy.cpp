@@ -7,7 +7,6 @@ namespace wirepack {
 SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParams& contact)
     : range_{2 * params.radius, params.edge_length, contact.excluded_arc_length},
       kernel_(LineKernel::per_length(contact.stiffness, params.radius, params.edge_length)),
-      radius_(params.radius),
       skin_(params.radius) {}
 
 bool SelfContactEnergy::prepare(const RodState& state) {
@@ -55,7 +54,7 @@ void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& mod
   Points unused = Points::Zero(3, state.node_count());
   std::vector<SelfContact> touching;
   LineKernel wide = kernel_;
-  wide.touching_distance += nearly_touching * radius_;
+  wide.touching_distance += nearly_touching * kernel_.touching_distance / 2;
   add_contact_energy(wide, state, list_.fours(), unused, touching);
   for (const SelfContact& touch : touching) {
     const auto [i, j] = touch.edges;

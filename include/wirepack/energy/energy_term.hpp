@@ -11,8 +11,9 @@ namespace wirepack {
 
 /// An energy of a state. `add_gradient` returns the energy and adds its exact derivatives, the
 /// explicit one by the inlet rest length included; `add_curvature` adds a model of the second
-/// derivative, positive semidefinite where its exactness is 0. A term sees no solver and no unknowns. A new term comes with:
-/// a closed form, a gradient check against differences, and invariance under rigid motion.
+/// derivative, positive semidefinite where its exactness is 0. A term sees no solver and no unknowns.
+/// A new term comes with: a closed form, a gradient check against differences, and invariance under
+/// rigid motion.
 template <class T>
 concept EnergyTerm = requires(const T& term, const RodState& state, Gradient& gradient,
                               CurvatureModel& model) {

@@ -37,7 +37,6 @@ class SelfContactEnergy {
  private:
   ContactRange range_;
   LineKernel kernel_;
-  double radius_;
   double skin_;
   NeighborList list_;
 };

@@ -51,8 +51,8 @@ struct EquilibriumReport {
 };
 
 /// Moves `state` to a local minimum of the energy: L-BFGS in variables preconditioned by a factor
-/// of the curvature model, of its squares alone where they and the Hessian together are not positive; the factor and the chart are renewed in rounds. Judged by the gradient
-/// alone. `state` is the best point found, also when it has not converged.
+/// of the curvature model, of its squares alone where they and the Hessian together are not positive;
+/// the factor and the chart are renewed in rounds. Judged by the gradient alone. `state` is the best point found, also when it has not converged.
 /// Throws NumericalFailure if even the start has no finite energy.
 EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
                                     const EnergyFunctions& energy,
