@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/threads.hpp"
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/hdf5_recorder.hpp"
@@ -125,6 +126,7 @@ int resume(const Scenario& scenario, const RunOptions& options) {
 }
 
 int run(const RunOptions& options) {
+  use_threads(options.threads);
   const Scenario scenario = scenario_of(options);
   if (options.dry_run) return show_plan(scenario);
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
@@ -165,8 +167,9 @@ Command run_command(CLI::App& program, const std::string& command_line) {
   app->add_flag("--force", options->force, "Replaces an existing OUT.h5")->excludes(resume);
   app->add_flag("--dry-run", options->dry_run,
                 "Prints the resolved configuration and an estimate, and writes nothing");
-  app->add_option("--threads", options->threads,
-                  "Threads to compute with at most; never changes a result (this version uses one)")
+  app->add_option(
+         "--threads", options->threads,
+         "Threads to compute with; never changes a result. Large spheres gain by two or more")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
   app->footer(

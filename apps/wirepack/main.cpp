@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/threads.hpp"
 #include "wirepack/core/version.hpp"
 
 #include "command.hpp"
@@ -85,6 +86,7 @@ std::string explain(const CLI::ParseError& error, const CLI::App& program, int c
 }
 
 int run_program(int count, char** arguments) {
+  use_threads(1);  // unless a command is told otherwise
   // A limit on the size of files shall give a message, as a full disk does, and not kill.
   std::signal(SIGXFSZ, SIG_IGN);
   // A reader that has gone away is an output that cannot be written: exit code 5.

@@ -1,6 +1,5 @@
-# Targets wirepack::hdf5 and wirepack::cholmod for C libraries whose own packages have no targets
-# that every project can use. For the build of wirepack and, installed, for projects that use it.
-foreach(wirepack_entry "hdf5|hdf5 hdf5_serial|hdf5.h|hdf5/serial" "cholmod|cholmod|cholmod.h|suitesparse")
+# Target wirepack::hdf5 for a C library whose own package has no target that every project can use. For the build of wirepack and, installed, for projects that use it.
+foreach(wirepack_entry "hdf5|hdf5 hdf5_serial|hdf5.h|hdf5/serial")
   string(REPLACE "|" ";" wirepack_entry "${wirepack_entry}")
   list(GET wirepack_entry 0 wirepack_name)
   list(GET wirepack_entry 1 wirepack_library_names)

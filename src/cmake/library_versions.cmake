@@ -16,9 +16,6 @@ endfunction()
 
 wirepack_version_from_header(wirepack_hdf5_version "${WIREPACK_hdf5_INCLUDE_DIR}/H5public.h"
   H5_VERS_MAJOR H5_VERS_MINOR H5_VERS_RELEASE)
-wirepack_version_from_header(wirepack_cholmod_version
-  "${WIREPACK_cholmod_INCLUDE_DIR}/cholmod_core.h"
-  CHOLMOD_MAIN_VERSION CHOLMOD_SUB_VERSION CHOLMOD_SUBSUB_VERSION)
 string(JOIN ", " WIREPACK_LIBRARY_VERSIONS
   "Eigen ${Eigen3_VERSION}" "NLopt ${NLopt_VERSION}" "Ceres ${Ceres_VERSION}" "HDF5 ${wirepack_hdf5_version}"
-  "CHOLMOD ${wirepack_cholmod_version}" "toml++ ${tomlplusplus_VERSION}" "fmt ${fmt_VERSION}")
+  "toml++ ${tomlplusplus_VERSION}" "fmt ${fmt_VERSION}")

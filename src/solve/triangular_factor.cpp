@@ -1,37 +1,37 @@
 #include "triangular_factor.hpp"
 
 #include <algorithm>
-#include <cassert>
-#include <iterator>
+
+#include "wirepack/core/threads.hpp"
 
 namespace wirepack {
 
 namespace {
 
-// below += block x, for K columns of a block at a time: what each pass over `below` costs is shared.
+// below -= block x, for K columns of a block at a time: what each pass over `below` costs is shared.
 template <int K, class Entry>
-[[gnu::always_inline]] inline void add_columns(const Entry* block, Index rows, const double* x,
-                                               double* below) {
+[[gnu::always_inline]] inline void subtract_columns(const Entry* block, Index stride, Index rows,
+                                                    const double* x, double* below) {
 #pragma omp simd
   for (Index r = 0; r < rows; ++r) {
-    double sum = below[r];
-    for (int c = 0; c < K; ++c) sum += static_cast<double>(block[c * rows + r]) * x[c];
-    below[r] = sum;
+    double sum = 0;
+    for (int c = 0; c < K; ++c) sum += static_cast<double>(block[c * stride + r]) * x[c];
+    below[r] -= sum;
   }
 }
 
 // x -= block^T below.
 template <int K, class Entry>
-[[gnu::always_inline]] inline void subtract_products(const Entry* block, Index rows,
+[[gnu::always_inline]] inline void subtract_products(const Entry* block, Index stride, Index rows,
                                                      const double* below, double* x) {
   double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
 #pragma omp simd reduction(+ : s0, s1, s2, s3)
   for (Index r = 0; r < rows; ++r) {
     const double b = below[r];
     s0 += static_cast<double>(block[r]) * b;
-    if constexpr (K > 1) s1 += static_cast<double>(block[rows + r]) * b;
-    if constexpr (K > 2) s2 += static_cast<double>(block[2 * rows + r]) * b;
-    if constexpr (K > 3) s3 += static_cast<double>(block[3 * rows + r]) * b;
+    if constexpr (K > 1) s1 += static_cast<double>(block[stride + r]) * b;
+    if constexpr (K > 2) s2 += static_cast<double>(block[2 * stride + r]) * b;
+    if constexpr (K > 3) s3 += static_cast<double>(block[3 * stride + r]) * b;
   }
   x[0] -= s0;
   if constexpr (K > 1) x[1] -= s1;
@@ -39,98 +39,159 @@ template <int K, class Entry>
   if constexpr (K > 3) x[3] -= s3;
 }
 
-// A triangle is solved number after number; a narrow one leaves the work to the columns below it.
-constexpr Index widest = 8;
+// A triangle is solved number after number; a narrow one leaves the work to the rows below it.
+constexpr Index panel_columns = 8;
+// What a thread takes of the rows below a front, or of its columns; a front is shared out from so many
+// entries on.
+constexpr Index row_tile = 256, column_tile = 16, shared_entries = 20000;
 
-// Calls f.template operator()<K>(c) for columns c, K of them at a time.
+// Calls f.template operator()<K>(c) for columns c of `start` to `end`, K of them at a time.
 template <class F>
-[[gnu::always_inline]] inline void by_four(Index columns, F&& f) {
-  Index c = 0;
-  for (; c + 4 <= columns; c += 4) f.template operator()<4>(c);
-  if (columns - c == 3) f.template operator()<3>(c);
-  if (columns - c == 2) f.template operator()<2>(c);
-  if (columns - c == 1) f.template operator()<1>(c);
+[[gnu::always_inline]] inline void by_four(Index start, Index end, F&& f) {
+  Index c = start;
+  for (; c + 4 <= end; c += 4) f.template operator()<4>(c);
+  if (end - c == 3) f.template operator()<3>(c);
+  if (end - c == 2) f.template operator()<2>(c);
+  if (end - c == 1) f.template operator()<1>(c);
 }
 
 }  // namespace
 
 template <class Entry>
-TriangularFactor<Entry>::TriangularFactor(const cholmod_factor& factor) {
-  assert(factor.is_super && factor.is_ll && factor.itype == CHOLMOD_INT);
-  const auto* super = static_cast<const int*>(factor.super);
-  const auto* row_start = static_cast<const int*>(factor.pi);
-  const auto* value_start = static_cast<const int*>(factor.px);
-  const auto* row = static_cast<const int*>(factor.s);
-  const auto* value = static_cast<const double*>(factor.x);
-  inverse_diagonal_.resize(static_cast<Index>(factor.n));
-  panels_.reserve(factor.nsuper);
-  Index most_rows = 0;
-  for (std::size_t k = 0; k < factor.nsuper; ++k) {
-    const Index columns = super[k + 1] - super[k];
-    const Index rows = row_start[k + 1] - row_start[k];
-    for (Index start = 0; start < columns; start += widest) {
-      const Index width = std::min(widest, columns - start);
-      const Index end = start + width;
-      panels_.push_back(
-          {super[k] + start, width, rows - end, triangle_.size(), below_.size(), rows_.size()});
-      most_rows = std::max(most_rows, rows - end);
-      for (Index c = start; c < end; ++c) {
-        const double* const column = value + value_start[k] + c * rows;
-        inverse_diagonal_[super[k] + c] = 1 / column[c];
-        const auto as_entry = [](double v) { return static_cast<Entry>(v); };
-        std::transform(column + c + 1, column + end, std::back_inserter(triangle_), as_entry);
-        std::transform(column + end, column + rows, std::back_inserter(below_), as_entry);
-      }
-      // in a supernode the rows of its own columns come first
-      rows_.insert(rows_.end(), row + row_start[k] + end, row + row_start[k + 1]);
+TriangularFactor<Entry>::TriangularFactor(EliminationTree tree, FrontColumns<Entry> factor)
+    : fronts_(std::move(tree.fronts)), factor_(std::move(factor)) {
+  const auto unknowns = static_cast<Index>(tree.order.size());
+  inverse_diagonal_.resize(unknowns);
+  shared_ = factor_.size() > 10 * shared_entries;
+  for (std::size_t f = 0; f < fronts_.size(); ++f) {
+    const Front& front = fronts_[f];
+    const Index height = front.columns + static_cast<Index>(front.rows.size());
+    for (Index c = 0; c < front.columns; ++c) {
+      const Entry* const diagonal = factor_.entries.get() + factor_.start[f] + c * (height + 1);
+      inverse_diagonal_[front.first_column + c] = 1 / static_cast<double>(*diagonal);
     }
   }
-  work_.resize(static_cast<std::size_t>(most_rows));
+  const auto set_work = [&](Part& part) {
+    std::size_t most = 0;
+    for (const int f : part.fronts) {
+      most = std::max(most, fronts_[static_cast<std::size_t>(f)].rows.size());
+    }
+    part.work.resize(most);
+  };
+  top_.fronts = std::move(tree.top);
+  set_work(top_);
+  Index copies = unknowns;
+  for (std::vector<int>& fronts : tree.subtrees) {
+    // every row of a subtree that lies outside is one of its root's
+    const Front& root = fronts_[static_cast<std::size_t>(fronts.back())];
+    Part part{std::move(fronts), root.rows, copies, {}};
+    set_work(part);
+    const Index inside = root.first_column + root.columns;
+    for (const int f : part.fronts) {
+      auto next = part.rows_outside.begin();
+      for (int& row : fronts_[static_cast<std::size_t>(f)].rows) {
+        if (row < inside) continue;
+        next = std::lower_bound(next, part.rows_outside.end(), row);
+        row = static_cast<int>(copies + (next - part.rows_outside.begin()));
+      }
+    }
+    copies += static_cast<Index>(part.rows_outside.size());
+    subtrees_.push_back(std::move(part));
+  }
+  values_.resize(copies);
 }
 
 template <class Entry>
 void TriangularFactor<Entry>::solve(Eigen::VectorXd& v) {
-  double* const below = work_.data();
-  for (const Panel& panel : panels_) {
-    double* const x = v.data() + panel.first_column;
-    const double* const inverse = inverse_diagonal_.data() + panel.first_column;
-    const Entry* entry = triangle_.data() + panel.triangle;
-    for (Index c = 0; c < panel.columns; ++c) {
-      x[c] *= inverse[c];
-      for (Index r = c + 1; r < panel.columns; ++r) x[r] -= static_cast<double>(*entry++) * x[c];
-    }
-    const Index rows = panel.rows_below;
-    if (rows == 0) continue;
-    const Entry* const block = below_.data() + panel.below;
-    std::fill_n(below, rows, 0.0);
-    by_four(panel.columns,
-            [&]<int K>(Index c) { add_columns<K>(block + c * rows, rows, x + c, below); });
-    const int* const row = rows_.data() + panel.row_list;
-    for (Index r = 0; r < rows; ++r) v[row[r]] -= below[r];
+  values_.head(v.size()) = v;
+  values_.tail(values_.size() - v.size()).setZero();
+  for_each_tile(static_cast<Index>(subtrees_.size()), 1, shared_,
+                [&](Index t, Index) { forward(subtrees_[static_cast<std::size_t>(t)]); });
+  for (const Part& part : subtrees_) {
+    const double* copy = values_.data() + part.copy;
+    for (const int row : part.rows_outside) values_[row] += *copy++;
   }
+  forward(top_);
+  v = values_.head(v.size());
 }
 
 template <class Entry>
 void TriangularFactor<Entry>::solve_transposed(Eigen::VectorXd& v) {
-  double* const below = work_.data();
-  for (auto panel = panels_.rbegin(); panel != panels_.rend(); ++panel) {
-    double* const x = v.data() + panel->first_column;
-    const Index rows = panel->rows_below, columns = panel->columns;
-    if (rows > 0) {
-      const int* const row = rows_.data() + panel->row_list;
-      for (Index r = 0; r < rows; ++r) below[r] = v[row[r]];
-      const Entry* const block = below_.data() + panel->below;
-      by_four(columns,
-              [&]<int K>(Index c) { subtract_products<K>(block + c * rows, rows, below, x + c); });
+  values_.head(v.size()) = v;
+  backward(top_);
+  for (const Part& part : subtrees_) {
+    double* copy = values_.data() + part.copy;
+    for (const int row : part.rows_outside) *copy++ = values_[row];
+  }
+  for_each_tile(static_cast<Index>(subtrees_.size()), 1, shared_,
+                [&](Index t, Index) { backward(subtrees_[static_cast<std::size_t>(t)]); });
+  v = values_.head(v.size());
+}
+
+template <class Entry>
+void TriangularFactor<Entry>::forward(Part& part) {
+  for (const int number : part.fronts) {
+    const auto f = static_cast<std::size_t>(number);
+    const Front& front = fronts_[f];
+    const Index w = front.columns, m = static_cast<Index>(front.rows.size()), height = w + m;
+    const Entry* const columns = factor_.entries.get() + factor_.start[f];
+    double* const x = values_.data() + front.first_column;
+    const double* const inverse = inverse_diagonal_.data() + front.first_column;
+    for (Index start = 0; start < w; start += panel_columns) {
+      const Index end = std::min(start + panel_columns, w);
+      for (Index c = start; c < end; ++c) {
+        x[c] *= inverse[c];
+        for (Index r = c + 1; r < end; ++r) {
+          x[r] -= static_cast<double>(columns[c * height + r]) * x[c];
+        }
+      }
+      by_four(start, end, [&]<int K>(Index c) {
+        subtract_columns<K>(columns + c * height + end, height, w - end, x + c, x + end);
+      });
     }
-    // columns backwards: the entries of column c end where those of c + 1 start
-    const double* const inverse = inverse_diagonal_.data() + panel->first_column;
-    const Entry* entry = triangle_.data() + panel->triangle + columns * (columns - 1) / 2;
-    for (Index c = columns; c-- > 0;) {
-      entry -= columns - 1 - c;
-      double sum = x[c];
-      for (Index r = c + 1; r < columns; ++r) sum -= static_cast<double>(entry[r - c - 1]) * x[r];
-      x[c] = sum * inverse[c];
+    double* const below = part.work.data();
+    std::fill_n(below, m, 0.0);
+    for_each_tile(m, row_tile, &part == &top_ && m * w > shared_entries,
+                  [&](Index start, Index end) {
+                    by_four(0, w, [&]<int K>(Index c) {
+                      const Entry* const block = columns + c * height + w + start;
+                      subtract_columns<K>(block, height, end - start, x + c, below + start);
+                    });
+                  });
+    for (Index r = 0; r < m; ++r) values_[front.rows[static_cast<std::size_t>(r)]] += below[r];
+  }
+}
+
+template <class Entry>
+void TriangularFactor<Entry>::backward(Part& part) {
+  for (auto number = part.fronts.rbegin(); number != part.fronts.rend(); ++number) {
+    const auto f = static_cast<std::size_t>(*number);
+    const Front& front = fronts_[f];
+    const Index w = front.columns, m = static_cast<Index>(front.rows.size()), height = w + m;
+    const Entry* const columns = factor_.entries.get() + factor_.start[f];
+    double* const x = values_.data() + front.first_column;
+    const double* const inverse = inverse_diagonal_.data() + front.first_column;
+    double* const below = part.work.data();
+    for (Index r = 0; r < m; ++r) below[r] = values_[front.rows[static_cast<std::size_t>(r)]];
+    for_each_tile(w, column_tile, &part == &top_ && m * w > shared_entries,
+                  [&](Index first, Index last) {
+                    by_four(first, last, [&]<int K>(Index c) {
+                      subtract_products<K>(columns + c * height + w, height, m, below, x + c);
+                    });
+                  });
+    const Index panels = (w + panel_columns - 1) / panel_columns;
+    for (Index panel = panels; panel-- > 0;) {
+      const Index start = panel * panel_columns, end = std::min(start + panel_columns, w);
+      by_four(start, end, [&]<int K>(Index c) {
+        subtract_products<K>(columns + c * height + end, height, w - end, x + end, x + c);
+      });
+      for (Index c = end; c-- > start;) {
+        double sum = x[c];
+        for (Index r = c + 1; r < end; ++r) {
+          sum -= static_cast<double>(columns[c * height + r]) * x[r];
+        }
+        x[c] = sum * inverse[c];
+      }
     }
   }
 }

@@ -1,38 +1,41 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cholmod.h>
-#include <vector>
 
-#include "wirepack/core/types.hpp"
+#include "multifrontal.hpp"
 
 namespace wirepack {
 
-/// Lower triangular factor L of a permuted matrix, in panels: a few columns with the same rows below
-/// their triangle, parts of a supernode of CHOLMOD's factor. Laid out for its two solves alone, which
-/// read every entry once: entries are kept in single precision where that is good enough (half the
-/// memory traffic) and computed with in double, so that both solves are exactly each other's transpose.
+/// Lower triangular factor L of a permuted matrix, for its two solves. Entries may be in single precision
+/// (half the memory traffic), sums are in double, so that both solves are exactly each other's transpose.
 template <class Entry>
 class TriangularFactor {
  public:
-  explicit TriangularFactor(const cholmod_factor& factor);
+  TriangularFactor(EliminationTree tree, FrontColumns<Entry> factor);
 
-  /// Replaces v, in the order of the factor, by L^-1 v.
+  /// Replaces v, in the order of elimination, by L^-1 v.
   void solve(Eigen::VectorXd& v);
   /// Replaces v by L^-T v.
   void solve_transposed(Eigen::VectorXd& v);
 
  private:
-  struct Panel {
-    Index first_column, columns, rows_below;
-    std::size_t triangle, below, row_list;  ///< where their parts start
+  // Fronts that one thread works on, one after the other.
+  struct Part {
+    std::vector<int> fronts;
+    std::vector<int> rows_outside;  // of a subtree: those that its fronts share with fronts above
+    Index copy = 0;                 // where its own copy of them starts
+    std::vector<double> work;       // as many as a front of it has rows
   };
-  std::vector<Panel> panels_;
-  std::vector<int> rows_;        ///< below the triangle, panel by panel
-  std::vector<Entry> triangle_;  ///< strictly below the diagonal, by columns
-  std::vector<Entry> below_;     ///< rows below the triangle, by columns
+  void forward(Part& part);
+  void backward(Part& part);
+
+  std::vector<Front> fronts_;  // rows outside of a subtree are those of its copy
+  FrontColumns<Entry> factor_;
+  std::vector<Part> subtrees_;
+  Part top_;
+  bool shared_;  // whether there is enough to do for more than one thread
   Eigen::VectorXd inverse_diagonal_;
-  std::vector<double> work_;
+  Eigen::VectorXd values_;  // the unknowns, then the copies of the subtrees
 };
 
 extern template class TriangularFactor<float>;

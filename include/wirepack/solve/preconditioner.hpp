@@ -10,11 +10,12 @@ namespace wirepack {
 
 /// Cholesky factor P = L L^T (up to a fill-reducing permutation) of a curvature model, as a change
 /// of variables x = x0 + L^-T y: minimizing over y with the gradient L^-1 g is the preconditioned
-/// minimization over x. Factored by CHOLMOD, in double precision.
+/// minimization over x. Factored front by front, in single precision where that serves, with the threads at
+/// hand; the same bits for any number of them.
 class Preconditioner {
  public:
   /// `lower` is the lower triangle of a symmetric matrix, whose eigenvalues should not be below `smallest`
-  /// (the shift of a curvature model): it decides whether the factor is kept in single precision.
+  /// (the shift of a curvature model): it decides whether single precision serves.
   /// Nothing if the matrix is not positive definite.
   static std::optional<Preconditioner> factored(const Eigen::SparseMatrix<double>& lower,
                                                 double smallest);

@@ -9,7 +9,6 @@
 #include "wirepack/energy/load_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
 #include "wirepack/solve/minimizer.hpp"
-#include "wirepack/solve/preconditioner.hpp"
 
 #include "../../support/sample_rods.hpp"
 
@@ -122,46 +121,6 @@ TEST(Equilibrium, StartWithoutAnEnergyIsANumericalFailure) {
   Cantilever c;
   c.rod.nodes(0, 3) = std::nan("");
   EXPECT_THROW(c.rest(), NumericalFailure);
-}
-
-// A band of 7 with couplings far away, as contacts make them; diagonally dominant.
-Eigen::MatrixXd coupled_band(int size) {
-  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(size, size);
-  for (int i = 0; i < size; ++i) {
-    full(i, i) = 20 + 0.1 * i;
-    for (int d = 1; d <= 7 && d <= i; ++d) full(i, i - d) = full(i - d, i) = -1.0 / d;
-    if (i >= 60) full(i, i - 60) = full(i - 60, i) = -0.7;
-  }
-  return full;
-}
-
-TEST(Preconditioner, ChangeOfVariablesTurnsTheModelIntoTheIdentity) {
-  // s = L^-T y and g = L^-1 P s must give y back for every y
-  const Eigen::MatrixXd full = coupled_band(130);
-  const Eigen::SparseMatrix<double> lower =
-      Eigen::MatrixXd(full.triangularView<Eigen::Lower>()).sparseView();
-  // kept in double precision, as eigenvalues might be tiny, and in single precision
-  for (const auto& [smallest, rounding] : {std::pair{0.0, 1e-13}, std::pair{1.0, 1e-6}}) {
-    Preconditioner preconditioner = *Preconditioner::factored(lower, smallest);
-    Eigen::VectorXd step, back, by_y;
-    for (int k = 0; k < 130; k += 7) {
-      const Eigen::VectorXd y = Eigen::VectorXd::Unit(130, k);
-      preconditioner.to_step(y, step);
-      preconditioner.to_gradient(full * step, back);
-      EXPECT_LT((back - y).cwiseAbs().maxCoeff(), rounding);
-      // both solves are each other's transpose in any case
-      const Eigen::VectorXd g = Eigen::VectorXd::LinSpaced(130, -1, 2);
-      preconditioner.to_gradient(g, by_y);
-      EXPECT_NEAR(by_y.dot(y), g.dot(step), 1e-14);
-    }
-  }
-}
-
-TEST(Preconditioner, AnIndefiniteModelHasNoFactor) {
-  Eigen::SparseMatrix<double> lower(2, 2);
-  lower.insert(0, 0) = 1;
-  lower.insert(1, 1) = -1;
-  EXPECT_FALSE(Preconditioner::factored(lower, 0).has_value());
 }
 
 TEST(Descent, ExceptionsOfTheObjectiveAreHandedOnAtOnce) {

@@ -1,0 +1,29 @@
+#include "wirepack/core/threads.hpp"
+
+#include <exception>
+#include <omp.h>
+
+namespace wirepack {
+
+void use_threads(int count) { omp_set_num_threads(count); }
+
+// An exception may not leave a parallel region: the first one waits for its end.
+void detail::run_shared(Index count, void (*call)(void* work, Index number), void* work) {
+  if (omp_get_max_threads() == 1 || omp_in_parallel() != 0) {
+    for (Index k = 0; k < count; ++k) call(work, k);
+    return;
+  }
+  std::exception_ptr thrown;
+#pragma omp parallel for schedule(dynamic, 1)
+  for (Index k = 0; k < count; ++k) {
+    try {
+      call(work, k);
+    } catch (...) {
+#pragma omp critical(wirepack_exception)
+      if (!thrown) thrown = std::current_exception();
+    }
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace wirepack

@@ -1,0 +1,183 @@
+#include "multifrontal.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+#include "wirepack/core/threads.hpp"
+
+namespace wirepack {
+
+namespace {
+
+// Columns of a front that are eliminated at a time, and rows or columns that a thread takes at a time:
+// fixed, as the sums of a product depend on its size.
+constexpr Index block_columns = 48;
+constexpr Index tile = 96;
+
+// The lower triangle of the matrix in the order of elimination; rows of a column are not sorted.
+struct OrderedLower {
+  std::vector<int> start, row;
+  std::vector<double> value;
+};
+
+OrderedLower in_order(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& order) {
+  std::vector<int> place(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  }
+  const auto for_each_entry = [&](auto&& f) {
+    for (Index c = 0; c < lower.cols(); ++c) {
+      const int p = place[static_cast<std::size_t>(c)];
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, c); entry; ++entry) {
+        const int q = place[static_cast<std::size_t>(entry.row())];
+        f(std::min(p, q), std::max(p, q), entry.value());
+      }
+    }
+  };
+  OrderedLower result;
+  result.start.assign(order.size() + 1, 0);
+  for_each_entry([&](int c, int, double) { ++result.start[static_cast<std::size_t>(c) + 1]; });
+  std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
+  std::vector<int> next(result.start.begin(), result.start.end() - 1);
+  result.row.resize(static_cast<std::size_t>(lower.nonZeros()));
+  result.value.resize(result.row.size());
+  for_each_entry([&](int c, int r, double value) {
+    const auto k = static_cast<std::size_t>(next[static_cast<std::size_t>(c)]++);
+    result.row[k] = r;
+    result.value[k] = value;
+  });
+  return result;
+}
+
+template <class Entry>
+class Elimination {
+ public:
+  Elimination(const EliminationTree& tree, const OrderedLower& lower,
+              const FrontColumns<Entry>& factor)
+      : tree_(&tree), lower_(&lower), factor_(&factor), updates_(tree.fronts.size()) {}
+
+  // Whether all pivots are positive.
+  bool run() {
+    std::atomic<bool> positive = true;
+    const auto take = [&](const std::vector<int>& fronts) {
+      std::vector<int> slots(tree_->order.size());
+      for (const int f : fronts) {
+        if (positive && !eliminate(f, slots)) positive = false;
+      }
+    };
+    for_each_tile(static_cast<Index>(tree_->subtrees.size()), 1, true,
+                  [&](Index t, Index) { take(tree_->subtrees[static_cast<std::size_t>(t)]); });
+    take(tree_->top);
+    return positive;
+  }
+
+ private:
+  using Matrix = Eigen::Matrix<Entry, Eigen::Dynamic, Eigen::Dynamic>;
+  using Block = Eigen::Map<Matrix, 0, Eigen::OuterStride<>>;
+
+  // `slots`: scratch, the slot of each row of the front.
+  bool eliminate(int number, std::vector<int>& slots) {
+    const auto f = static_cast<std::size_t>(number);
+    const Front& front = tree_->fronts[f];
+    const Index w = front.columns, m = static_cast<Index>(front.rows.size()), height = w + m;
+    Entry* const columns = factor_->entries.get() + factor_->start[f];
+    updates_[f] = std::make_unique_for_overwrite<Entry[]>(static_cast<std::size_t>(m * m));
+    Entry* const update = updates_[f].get();
+
+    for (Index c = 0; c < w; ++c) {
+      slots[static_cast<std::size_t>(front.first_column + c)] = static_cast<int>(c);
+    }
+    for (Index r = 0; r < m; ++r) {
+      const int row = front.rows[static_cast<std::size_t>(r)];
+      slots[static_cast<std::size_t>(row)] = static_cast<int>(w + r);
+    }
+    std::fill_n(columns, w * height, Entry(0));
+    for (Index c = 0; c < m; ++c) std::fill_n(update + c * m + c, m - c, Entry(0));
+    for (Index c = 0; c < w; ++c) {
+      const auto column = static_cast<std::size_t>(front.first_column + c);
+      for (int k = lower_->start[column]; k < lower_->start[column + 1]; ++k) {
+        const auto entry = static_cast<std::size_t>(k);
+        const int slot = slots[static_cast<std::size_t>(lower_->row[entry])];
+        columns[c * height + slot] = static_cast<Entry>(lower_->value[entry]);
+      }
+    }
+    for (const int child : tree_->children[f]) {
+      take_in(static_cast<std::size_t>(child), slots, w, m, columns, update);
+    }
+
+    for (Index k = 0; k < w; k += block_columns) {
+      const Index b = std::min(block_columns, w - k), rest = height - k - b;
+      const Eigen::OuterStride<> stride(height);
+      Block diagonal(columns + k * height + k, b, b, stride);
+      const Eigen::LLT<Eigen::Ref<Matrix, 0, Eigen::OuterStride<>>> in_place(diagonal);
+      if (in_place.info() != Eigen::Success) return false;
+      if (rest == 0) continue;
+      Block below(columns + k * height + k + b, rest, b, stride);
+      const auto transposed = diagonal.template triangularView<Eigen::Lower>().transpose();
+      for_each_tile(rest, tile, rest > 2 * tile, [&](Index start, Index end) {
+        auto rows = below.middleRows(start, end - start);
+        transposed.template solveInPlace<Eigen::OnTheRight>(rows);
+      });
+      for_each_tile(w - k - b, block_columns, rest > 2 * tile, [&](Index start, Index end) {
+        const Index first = k + b + start;
+        Block later(columns + first * height + first, rest - start, end - start, stride);
+        later.noalias() -=
+            below.bottomRows(rest - start) * below.middleRows(start, end - start).transpose();
+      });
+    }
+    const Block below(columns + w, m, w, Eigen::OuterStride<>(height));
+    Block left(update, m, m, Eigen::OuterStride<>(m));
+    for_each_tile(m, m > 4 * tile ? tile : tile / 2, m > 2 * tile, [&](Index start, Index end) {
+      left.block(start, start, m - start, end - start).noalias() -=
+          below.bottomRows(m - start) * below.middleRows(start, end - start).transpose();
+    });
+    return true;
+  }
+
+  void take_in(std::size_t child, const std::vector<int>& slots, Index w, Index m, Entry* columns,
+               Entry* update) {
+    const std::vector<int>& rows = tree_->fronts[child].rows;
+    std::vector<int> slot_of(rows.size());
+    std::transform(rows.begin(), rows.end(), slot_of.begin(),
+                   [&](int row) { return slots[static_cast<std::size_t>(row)]; });
+    const auto size = static_cast<Index>(rows.size());
+    const Entry* const from = updates_[child].get();
+    const int* const slot = slot_of.data();
+    for_each_tile(size, tile, size > 2 * tile, [&](Index start, Index end) {
+      for (Index c = start; c < end; ++c) {
+        const Index s = slot[c];
+        Entry* const to = s < w ? columns + s * (w + m) : update + (s - w) * m - w;
+        for (Index r = c; r < size; ++r) to[slot[r]] += from[c * size + r];
+      }
+    });
+    updates_[child].reset();
+  }
+
+  const EliminationTree* tree_;
+  const OrderedLower* lower_;
+  const FrontColumns<Entry>* factor_;
+  std::vector<std::unique_ptr<Entry[]>> updates_;  // of each front, square, lower triangle
+};
+
+}  // namespace
+
+template <class Entry>
+FrontColumns<Entry> factored(const EliminationTree& tree,
+                             const Eigen::SparseMatrix<double>& lower) {
+  FrontColumns<Entry> factor{{0}, nullptr};
+  for (const Front& front : tree.fronts) {
+    factor.start.push_back(factor.start.back() +
+                           static_cast<std::size_t>(front.columns) *
+                               (static_cast<std::size_t>(front.columns) + front.rows.size()));
+  }
+  factor.entries = std::make_unique_for_overwrite<Entry[]>(factor.start.back());
+  if (!Elimination<Entry>(tree, in_order(lower, tree.order), factor).run()) factor.entries.reset();
+  return factor;
+}
+
+template FrontColumns<float> factored(const EliminationTree&, const Eigen::SparseMatrix<double>&);
+template FrontColumns<double> factored(const EliminationTree&, const Eigen::SparseMatrix<double>&);
+
+}  // namespace wirepack

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+
+#include "elimination_tree.hpp"
+
+namespace wirepack {
+
+/// Columns of a Cholesky factor, front by front: those of front f start at `start[f]`, each with an entry
+/// for every column of the front (those above the diagonal mean nothing) and every row below.
+template <class Entry>
+struct FrontColumns {
+  std::vector<std::size_t> start;  ///< and, at last, the number of entries
+  std::unique_ptr<Entry[]> entries;
+
+  Index size() const { return static_cast<Index>(start.back()); }
+};
+
+/// Multifrontal factorization (Duff and Reid 1983): each front takes in what its children leave for the
+/// rows below them, eliminates its columns and leaves the rest to its parent. Computed in Entry's
+/// precision; the same bits for any number of threads. No entries if a pivot is not positive.
+template <class Entry>
+FrontColumns<Entry> factored(const EliminationTree& tree, const Eigen::SparseMatrix<double>& lower);
+
+extern template FrontColumns<float> factored(const EliminationTree&,
+                                             const Eigen::SparseMatrix<double>&);
+extern template FrontColumns<double> factored(const EliminationTree&,
+                                              const Eigen::SparseMatrix<double>&);
+
+}  // namespace wirepack

@@ -1,0 +1,125 @@
+#include "wirepack/solve/preconditioner.hpp"
+
+#include <gtest/gtest.h>
+#include <map>
+#include <utility>
+
+#include "wirepack/core/random.hpp"
+#include "wirepack/core/threads.hpp"
+
+namespace wirepack {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+Eigen::VectorXd random_vector(Index size, std::uint64_t seed) {
+  Random random(seed);
+  Eigen::VectorXd v(size);
+  for (double& value : v) value = random.symmetric();
+  return v;
+}
+
+// Lower triangle of what a packing couples: nodes of three unknowns in a chain, and `contacts` pairs of
+// others; squares of random vectors, so positive definite with the shift.
+Sparse packing_matrix(Index nodes, Index contacts, double shift, std::uint64_t seed) {
+  Random random(seed);
+  std::map<std::pair<Index, Index>, double> entries;
+  const auto add_square = [&](const std::vector<Index>& of_nodes) {
+    std::vector<std::pair<Index, double>> g;
+    for (const Index node : of_nodes) {
+      for (Index c = 0; c < 3; ++c) g.emplace_back(3 * node + c, random.symmetric());
+    }
+    for (const auto& [row, a] : g) {
+      for (const auto& [column, b] : g) {
+        if (row >= column) entries[{column, row}] += a * b;
+      }
+    }
+  };
+  for (Index i = 0; i + 2 < nodes; ++i) {
+    for (int k = 0; k < 3; ++k) add_square({i, i + 1, i + 2});
+  }
+  const auto any_node = [&] {
+    return static_cast<Index>((random.symmetric() + 1) / 2 * static_cast<double>(nodes - 1));
+  };
+  for (Index k = 0; k < contacts; ++k) {
+    const Index i = any_node(), j = any_node();
+    if (std::abs(i - j) > 2) add_square({i, i + 1, j, j + 1});
+  }
+  for (Index u = 0; u < 3 * nodes; ++u) entries[{u, u}] += shift;
+  Sparse lower(3 * nodes, 3 * nodes);
+  for (const auto& [place, value] : entries) lower.insert(place.second, place.first) = value;
+  lower.makeCompressed();
+  return lower;
+}
+
+Eigen::VectorXd step_to_minimum(const Sparse& lower, double smallest,
+                                const Eigen::VectorXd& force) {
+  auto p = Preconditioner::factored(lower, smallest);
+  EXPECT_TRUE(p);
+  Eigen::VectorXd y, step;
+  p->to_gradient(force, y);
+  p->to_step(y, step);
+  return step;
+}
+
+TEST(Preconditioner, BothSolvesTogetherInvertTheMatrix) {
+  // a chain alone, few contacts (small fronts alone), and so many that fronts are cut into tiles
+  for (const auto& [nodes, contacts] :
+       {std::pair<Index, Index>{2, 0}, {40, 0}, {150, 200}, {700, 4000}}) {
+    const Sparse lower = packing_matrix(nodes, contacts, 1e-3, 7);
+    const Eigen::VectorXd x = random_vector(lower.rows(), 1);
+    const Eigen::VectorXd force = lower.selfadjointView<Eigen::Lower>() * x;
+    const double exact = (step_to_minimum(lower, 1e-12, force) - x).norm() / x.norm();
+    EXPECT_LT(exact, 1e-10) << nodes << " nodes in double precision";
+    const double rounded = (step_to_minimum(lower, 1e-1, force) - x).norm() / x.norm();
+    EXPECT_LT(rounded, 1e-2) << nodes << " nodes in single precision";
+    EXPECT_GT(rounded, 1e-12) << "that was double precision";
+  }
+}
+
+TEST(Preconditioner, StepAndGradientAreEachOthersTranspose) {
+  const Sparse lower = packing_matrix(300, 500, 1e-3, 3);
+  auto p = Preconditioner::factored(lower, 1e-1);
+  ASSERT_TRUE(p);
+  const Eigen::VectorXd y = random_vector(lower.rows(), 1), g = random_vector(lower.rows(), 2);
+  Eigen::VectorXd step, by_y;
+  p->to_step(y, step);
+  p->to_gradient(g, by_y);
+  EXPECT_NEAR(g.dot(step) / by_y.dot(y), 1, 1e-12);
+}
+
+TEST(Preconditioner, NumberOfThreadsChangesNoBit) {
+  const Sparse lower = packing_matrix(700, 4000, 1e-3, 5);
+  const Eigen::VectorXd force = random_vector(lower.rows(), 1);
+  for (const double smallest : {1e-1, 1e-12}) {
+    use_threads(1);
+    const Eigen::VectorXd alone = step_to_minimum(lower, smallest, force);
+    for (const int threads : {2, 5}) {
+      use_threads(threads);
+      EXPECT_EQ(step_to_minimum(lower, smallest, force), alone) << threads << " threads";
+    }
+  }
+  use_threads(1);
+}
+
+TEST(Preconditioner, MatrixThatIsNotPositiveDefiniteHasNone) {
+  Sparse lower = packing_matrix(200, 300, 1e-3, 2);
+  lower.coeffRef(301, 301) -= 2 * lower.coeff(301, 301);
+  EXPECT_FALSE(Preconditioner::factored(lower, 1e-1));
+  EXPECT_FALSE(Preconditioner::factored(lower, 1e-12));
+}
+
+// Rounding in single precision can make pivots negative that are not.
+TEST(Preconditioner, DoublePrecisionServesWhereSingleFindsNoPositivePivot) {
+  // the end of a chain without squares of its own: nothing but a billionth holds it
+  Sparse lower(2, 2);
+  lower.insert(0, 0) = 1;
+  lower.insert(1, 0) = 1 / 3.;
+  lower.insert(1, 1) = 1 / 9. + 1e-9;
+  lower.makeCompressed();
+  const Eigen::VectorXd step = step_to_minimum(lower, 1e-1, Eigen::Vector2d(0, 1));
+  EXPECT_NEAR(step[1] * 1e-9, 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace wirepack
