@@ -4,6 +4,10 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <utility>
+
+#include "wirepack/core/threads.hpp"
 
 #include "line_meeting.hpp"
 
@@ -67,10 +71,12 @@ class LineTable {
   Eigen::VectorXd values_;
 };
 
-// The derivative by the lines of all edges: midpoint and vector of each, four numbers apart.
+// The derivative by the lines of the edges from `start` on: midpoint and vector of each, four numbers
+// apart.
 class ByLines {
  public:
-  explicit ByLines(Index edges) : values_(Eigen::VectorXd::Zero(8 * edges)) {}
+  ByLines(Index start, Index edges)
+      : start_(start), values_(Eigen::VectorXd::Zero(8 * (edges - start))) {}
 
   template <class F>
   [[gnu::always_inline]] void add(int count, F&& edge, const Triple<Lanes>& midpoint,
@@ -79,20 +85,22 @@ class ByLines {
     const auto m = transposed(midpoint.x, midpoint.y, midpoint.z, zero);
     const auto v = transposed(vector.x, vector.y, vector.z, zero);
     for (int k = 0; k < count; ++k) {
-      double* const p = values_.data() + 8 * edge(k);
+      double* const p = values_.data() + 8 * (edge(k) - start_);
       store(load<Lanes>(p) + m[static_cast<std::size_t>(k)], p);
       store(load<Lanes>(p + 4) + v[static_cast<std::size_t>(k)], p + 4);
     }
   }
   void add_to_nodes(const RodState& state, Points& by_node) const {
-    for (Index j = 0; j < state.edge_count(); ++j) {
-      const auto midpoint = values_.segment<3>(8 * j), vector = values_.segment<3>(8 * j + 4);
+    for (Index j = start_; j < state.edge_count(); ++j) {
+      const Index k = 8 * (j - start_);
+      const auto midpoint = values_.segment<3>(k), vector = values_.segment<3>(k + 4);
       by_node.col(j) += midpoint / 2 - vector;
       by_node.col(next_node(state, j)) += midpoint / 2 + vector;
     }
   }
 
  private:
+  Index start_;
   Eigen::VectorXd values_;
 };
 
@@ -120,10 +128,11 @@ LaneMask mask_of(unsigned bits) {
 struct Unlisted {
   void add(const EdgePair&, const LineKernel&, const Meeting<Lanes>&, int) const {}
   void add(const EdgePair&, const LineKernel&, const Line&, const Line&) const {}
+  void add(const Unlisted&) const {}
 };
 
 struct Listed {
-  std::vector<SelfContact>& touching;
+  std::vector<SelfContact> touching;
 
   void add(const EdgePair& pair, const LineKernel& kernel, const Meeting<Lanes>& m,
            int lane_index) {
@@ -140,24 +149,33 @@ struct Listed {
     const double overlap = kernel.touching_distance - line.distance;
     touching.push_back({pair, line, overlap, line.stiffness * overlap});
   }
+  void add(const Listed& more) {
+    touching.insert(touching.end(), more.touching.begin(), more.touching.end());
+  }
+};
+
+// The pairs of four without those that have a free end. These come last, for all others take the same
+// way.
+unsigned inner_pairs(const EdgeFour& four, const RodState& state) {
+  if (state.ends.closed) return four.listed;
+  if (four.first == 0) return 0;
+  const Index last_edge = state.edge_count() - 1;
+  return last_edge < four.start + lane_count ? four.listed & ((1U << (last_edge - four.start)) - 1U)
+                                             : four.listed;
+}
+
+// What some pairs add up to.
+template <class Sink>
+struct Sum {
+  double energy;
+  ByLines by_line;
+  Sink sink;
 };
 
 template <class Sink>
-double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<const EdgeFour> fours,
-                 Points& by_node, Sink sink) {
-  const Index last_edge = state.edge_count() - 1;
-  const bool open = !state.ends.closed;
-  // The pairs of four without those that have a free end. These come last, for all others take the
-  // same way.
-  const auto inner = [&](const EdgeFour& four) -> unsigned {
-    if (!open) return four.listed;
-    if (four.first == 0) return 0;
-    return last_edge < four.start + lane_count
-               ? four.listed & ((1U << (last_edge - four.start)) - 1U)
-               : four.listed;
-  };
+Sum<Sink> sum_inner_pairs(const LineKernel& kernel, const RodState& state, const LineTable& lines,
+                          std::span<const EdgeFour> fours) {
   const NoEnd no_end;
-  const LineTable lines(state);
   // What touches is picked without branches that depend on it, for they would be mispredicted:
   // first fours of pairs,
   struct TouchingFour {
@@ -169,7 +187,7 @@ double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<cons
   for (const EdgeFour& four : fours) {
     const Meeting<Lanes> m =
         meet(kernel, lines.repeated(four.first), lines.four(four.start), no_end, no_end);
-    const LaneMask touches = m.touches(kernel) && mask_of(inner(four));
+    const LaneMask touches = m.touches(kernel) && mask_of(inner_pairs(four, state));
     TouchingFour& kept = touching[touching_fours];
     kept.first = four.first;
     kept.start = four.start;
@@ -185,8 +203,7 @@ double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<cons
       pair_count += touching[i].touches[static_cast<std::size_t>(k)] > 0 ? 1 : 0;
     }
   }
-  ByLines by_line(last_edge + 1);
-  double energy = 0;
+  Sum<Sink> sum{0, ByLines(fours.front().first, state.edge_count()), {}};
   for (std::size_t start = 0; start < pair_count; start += lane_count) {
     const EdgePair* const four = pairs.get() + start;
     const int count = static_cast<int>(std::min<std::size_t>(lane_count, pair_count - start));
@@ -198,13 +215,52 @@ double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<cons
     LineGradientOf<Lanes> gradient;
     const Lanes energies = contact_energy(kernel, m, first, second, gradient);
     for (int k = 0; k < count; ++k) {
-      energy += energies[static_cast<std::size_t>(k)];
-      sink.add(four[k], kernel, m, k);
+      sum.energy += energies[static_cast<std::size_t>(k)];
+      sum.sink.add(four[k], kernel, m, k);
     }
-    by_line.add(count, first_edge, gradient.midpoint1, gradient.vector1);
-    by_line.add(count, second_edge, gradient.midpoint2, gradient.vector2);
+    sum.by_line.add(count, first_edge, gradient.midpoint1, gradient.vector1);
+    sum.by_line.add(count, second_edge, gradient.midpoint2, gradient.vector2);
   }
-  by_line.add_to_nodes(state, by_node);
+  return sum;
+}
+
+// Pairs are added up in shares, by their first edges: the list must not decide which sum a pair goes to,
+// for it depends on what has been before. Few, as each has numbers of its own for nearly all edges.
+constexpr Index edges_of_a_share = 400, most_shares = 8;
+
+// The pairs of each share. An edge has the fewer partners behind it the later it comes, in the mean, so
+// the first share has the fewest edges.
+std::vector<std::span<const EdgeFour>> shares_of(std::span<const EdgeFour> fours, Index edges) {
+  const Index count = std::clamp<Index>(edges / edges_of_a_share, 1, most_shares);
+  std::vector<std::span<const EdgeFour>> shares;
+  auto start = fours.begin();
+  for (Index k = 1; k <= count; ++k) {
+    const double left = 1 - static_cast<double>(k) / static_cast<double>(count);
+    const auto last = static_cast<Index>(static_cast<double>(edges) * (1 - std::sqrt(left)));
+    const auto end = std::partition_point(start, fours.end(),
+                                          [&](const EdgeFour& four) { return four.first < last; });
+    if (end != start) shares.emplace_back(start, end);
+    start = end;
+  }
+  return shares;
+}
+
+template <class Sink>
+double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<const EdgeFour> fours,
+                 Points& by_node, Sink& sink) {
+  const LineTable lines(state);
+  const auto shares = shares_of(fours, state.edge_count());
+  std::vector<std::optional<Sum<Sink>>> sums(shares.size());
+  for_each_tile(static_cast<Index>(shares.size()), 1, true, [&](Index k, Index) {
+    const auto share = static_cast<std::size_t>(k);
+    sums[share] = sum_inner_pairs<Sink>(kernel, state, lines, shares[share]);
+  });
+  double energy = 0;
+  for (const auto& sum : sums) {
+    energy += sum->energy;
+    sum->by_line.add_to_nodes(state, by_node);
+    sink.add(sum->sink);
+  }
 
   LineGradient by_ends;
   const auto add_end_pair = [&](const EdgePair& pair) {
@@ -217,7 +273,7 @@ double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<cons
     add_to_edge(state, pair.second, by_ends.midpoint2, by_ends.vector2, by_node);
   };
   for (const EdgeFour& four : fours) {
-    const EdgeFour ends{four.first, four.start, four.listed & ~inner(four)};
+    const EdgeFour ends{four.first, four.start, four.listed & ~inner_pairs(four, state)};
     if (ends.listed != 0) for_each_pair(std::span(&ends, 1), add_end_pair);
   }
   return energy;
@@ -234,14 +290,17 @@ Line line_of(const RodState& state, Index edge) {
 
 double add_contact_energy(const LineKernel& kernel, const RodState& state,
                           std::span<const EdgeFour> pairs, Points& by_node) {
-  return sum_pairs(kernel, state, pairs, by_node, Unlisted{});
+  Unlisted sink;
+  return sum_pairs(kernel, state, pairs, by_node, sink);
 }
 
 double add_contact_energy(const LineKernel& kernel, const RodState& state,
                           std::span<const EdgeFour> pairs, Points& by_node,
                           std::vector<SelfContact>& touching) {
-  touching.clear();
-  return sum_pairs(kernel, state, pairs, by_node, Listed{touching});
+  Listed sink;
+  const double energy = sum_pairs(kernel, state, pairs, by_node, sink);
+  touching = std::move(sink.touching);
+  return energy;
 }
 
 }  // namespace wirepack

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "wirepack/contact/segment_distance.hpp"
+#include "wirepack/core/threads.hpp"
 
 namespace wirepack {
 
@@ -48,65 +49,98 @@ CellGrid sort_into_cells(const Points& points, double cell) {
   return grid;
 }
 
-// Calls f(j, near) for every edge j with the edges k > j whose midpoints are within reach, in no
-// particular order.
-template <class F>
-void for_each_neighborhood(const RodState& state, double reach, Index separation, F&& f) {
-  const Index edges = state.edge_count();
-  Points midpoints(3, edges);
-  for (Index j = 0; j < edges; ++j) {
-    midpoints.col(j) = (state.nodes.col(j) + state.nodes.col(next_node(state, j))) / 2;
+// Which edges lie near which, by their midpoints.
+class Neighborhoods {
+ public:
+  Neighborhoods(const RodState& state, double reach, Index separation)
+      : edges_(state.edge_count()),
+        separation_(separation),
+        closed_(state.ends.closed),
+        reach2_(reach * reach),
+        midpoints_(3, edges_) {
+    for (Index j = 0; j < edges_; ++j) {
+      midpoints_.col(j) = (state.nodes.col(j) + state.nodes.col(next_node(state, j))) / 2;
+    }
+    // Cells of half the reach: five in a row hold less than three whole ones would.
+    grid_ = sort_into_cells(midpoints_, reach / 2);
+    by_cell_ = Rows::Zero(edges_ + lane_count, 3);
+    for (Index p = 0; p < edges_; ++p) {
+      by_cell_.row(p) = midpoints_.col(grid_.order[static_cast<std::size_t>(p)]).transpose();
+    }
   }
-  // Cells of half the reach: five in a row hold less than three whole ones would.
-  const CellGrid grid = sort_into_cells(midpoints, reach / 2);
-  constexpr Index span = 2;
+
+  // Calls f(j, near) for the edges j of `start` to `end` with the edges k > j within reach, in no
+  // particular order.
+  template <class F>
+  void for_each(Index start, Index end, F&& f) const {
+    std::vector<Index> found(static_cast<std::size_t>(edges_ + 1)), near;
+    for (Index j = start; j < end; ++j) {
+      const std::size_t count = find(j, found);
+      near.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+      f(j, near);
+    }
+  }
+  // The same for all edges, in tiles that threads may share: f(tile, j, near).
+  Index tiles() const { return (edges_ + tile_edges - 1) / tile_edges; }
+  template <class F>
+  void for_each_in_tiles(F&& f) const {
+    for_each_tile(edges_, tile_edges, true, [&](Index start, Index end) {
+      for_each(start, end,
+               [&](Index j, std::vector<Index>& near) { f(start / tile_edges, j, near); });
+    });
+  }
+
+ private:
+  static constexpr Index tile_edges = 128;
   // Neighbours in space are neighbours in memory, a row for each coordinate; four may be read anywhere.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-  Rows by_cell = Rows::Zero(edges + lane_count, 3);
-  for (Index p = 0; p < edges; ++p) {
-    by_cell.row(p) = midpoints.col(grid.order[static_cast<std::size_t>(p)]).transpose();
-  }
-  const Lanes reach2 = reach * reach;
-  std::vector<Index> found(static_cast<std::size_t>(edges + 1)), near;
-  for (Index j = 0; j < edges; ++j) {
+
+  std::size_t find(Index j, std::vector<Index>& found) const {
+    constexpr Index span = 2;
     std::size_t count = 0;
-    const Triple<double> middle = triple(midpoints.col(j));
+    const Triple<double> middle = triple(midpoints_.col(j));
     // a line that closes on itself has its neighbours at both ends
-    const Index first_far = j + separation;
-    const Index last_far = state.ends.closed ? j + edges - separation : edges;
-    const Index cell = grid.cell_of[static_cast<std::size_t>(j)];
-    const Index z = cell % grid.size[2];
-    const Index y = cell / grid.size[2] % grid.size[1];
-    const Index x = cell / (grid.size[2] * grid.size[1]);
+    const Index first_far = j + separation_;
+    const Index last_far = closed_ ? j + edges_ - separation_ : edges_;
+    const Index cell = grid_.cell_of[static_cast<std::size_t>(j)];
+    const Index z = cell % grid_.size[2];
+    const Index y = cell / grid_.size[2] % grid_.size[1];
+    const Index x = cell / (grid_.size[2] * grid_.size[1]);
     const auto from = [](Index c) { return std::max<Index>(0, c - span); };
     const auto to = [&](Index c, std::size_t axis) {
-      return std::min(grid.size[axis] - 1, c + span);
+      return std::min(grid_.size[axis] - 1, c + span);
     };
     for (Index cx = from(x); cx <= to(x, 0); ++cx) {
       for (Index cy = from(y); cy <= to(y, 1); ++cy) {
         // cells along z are neighbours in memory: one run of edges
-        const Index row = (cx * grid.size[1] + cy) * grid.size[2];
-        const Index first = grid.start[static_cast<std::size_t>(row + from(z))];
-        const Index end = grid.start[static_cast<std::size_t>(row + to(z, 2) + 1)];
+        const Index row = (cx * grid_.size[1] + cy) * grid_.size[2];
+        const Index first = grid_.start[static_cast<std::size_t>(row + from(z))];
+        const Index end = grid_.start[static_cast<std::size_t>(row + to(z, 2) + 1)];
         for (Index p = first; p < end; p += lane_count) {
-          const auto coordinate = [&](Index c) { return load<Lanes>(&by_cell(p, c)); };
+          const auto coordinate = [&](Index c) { return load<Lanes>(&by_cell_(p, c)); };
           const Triple<Lanes> apart{coordinate(0) - middle.x, coordinate(1) - middle.y,
                                     coordinate(2) - middle.z};
           std::array<double, lane_count> within;
-          store(select(dot(apart, apart) <= reach2, 1.0, 0.0), within.data());
+          store(select(dot(apart, apart) <= Lanes(reach2_), 1.0, 0.0), within.data());
           // written in any case and kept if near: no branch on this could be foretold
           for (Index q = p; q < std::min(p + lane_count, end); ++q) {
-            const Index k = found[count] = grid.order[static_cast<std::size_t>(q)];
+            const Index k = found[count] = grid_.order[static_cast<std::size_t>(q)];
             const bool far = k >= first_far && k <= last_far;
             count += within[static_cast<std::size_t>(q - p)] > 0 && far ? 1 : 0;
           }
         }
       }
     }
-    near.assign(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
-    f(j, near);
+    return count;
   }
-}
+
+  Index edges_, separation_;
+  bool closed_;
+  double reach2_;
+  Points midpoints_;
+  CellGrid grid_;
+  Rows by_cell_;
+};
 
 }  // namespace
 
@@ -117,7 +151,8 @@ Index first_touching_neighbor(const ContactRange& range) {
 
 std::vector<EdgePair> near_edges(const RodState& state, double reach, Index separation) {
   std::vector<EdgePair> pairs;
-  for_each_neighborhood(state, reach, separation, [&](Index j, std::vector<Index>& near) {
+  const Neighborhoods neighborhoods(state, reach, separation);
+  neighborhoods.for_each(0, state.edge_count(), [&](Index j, std::vector<Index>& near) {
     std::sort(near.begin(), near.end());
     for (const Index k : near) pairs.push_back({j, k});
   });
@@ -159,19 +194,21 @@ NeighborList::NeighborList(const RodState& state, const ContactRange& range, dou
     }
     near.resize(kept);
   };
-  for_each_neighborhood(
-      state, limit + 3 * longest, first_touching_neighbor(range),
-      [&](Index j, std::vector<Index>& near) {
-        keep_near_lines(j, near);
-        std::sort(near.begin(), near.end());
-        for (const Index k : near) {
-          const Index start = k - k % 4;
-          if (fours_.empty() || fours_.back().first != j || fours_.back().start != start) {
-            fours_.push_back({j, start, 0});
-          }
-          fours_.back().listed |= 1U << (k - start);
-        }
-      });
+  const Neighborhoods neighborhoods(state, limit + 3 * longest, first_touching_neighbor(range));
+  std::vector<std::vector<EdgeFour>> by_tile(static_cast<std::size_t>(neighborhoods.tiles()));
+  neighborhoods.for_each_in_tiles([&](Index tile, Index j, std::vector<Index>& near) {
+    keep_near_lines(j, near);
+    std::sort(near.begin(), near.end());
+    std::vector<EdgeFour>& fours = by_tile[static_cast<std::size_t>(tile)];
+    for (const Index k : near) {
+      const Index start = k - k % 4;
+      if (fours.empty() || fours.back().first != j || fours.back().start != start) {
+        fours.push_back({j, start, 0});
+      }
+      fours.back().listed |= 1U << (k - start);
+    }
+  });
+  for (const auto& fours : by_tile) fours_.insert(fours_.end(), fours.begin(), fours.end());
 }
 
 std::vector<EdgePair> NeighborList::pairs() const {

@@ -1,6 +1,10 @@
 #include "wirepack/energy/self_contact_energy.hpp"
 
 #include <array>
+#include <span>
+#include <vector>
+
+#include "wirepack/core/threads.hpp"
 
 namespace wirepack {
 
@@ -26,22 +30,25 @@ double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient
 
 namespace {
 
-// By four nodes, from the derivative by the vector w between midpoints and by both edge vectors.
-CurvatureModel::Hessian by_nodes(const Eigen::Matrix<double, 9, 9>& by_lines) {
-  // of each node, what it adds to w, e1 and e2
-  static constexpr std::array<std::array<double, 3>, 4> share{
-      {{0.5, -1, 0}, {0.5, 1, 0}, {-0.5, 0, -1}, {-0.5, 0, 1}}};
-  CurvatureModel::Hessian result = CurvatureModel::Hessian::Zero(16, 16);
+using ByLines = Eigen::Matrix<double, 9, 9>;  // the vector w between midpoints, both edge vectors
+
+// By four nodes.
+CurvatureModel::Hessian by_nodes(const ByLines& by_lines) {
+  // A node moves its midpoint by a half and its edge by all of its own move.
+  static constexpr std::array<double, 4> on_w{0.5, 0.5, -0.5, -0.5}, on_edge{-1, 1, -1, 1};
+  const auto by_rows = [&](Index node) -> Eigen::Matrix<double, 3, 9> {
+    const auto n = static_cast<std::size_t>(node);
+    return on_w[n] * by_lines.middleRows<3>(0) +
+           on_edge[n] * by_lines.middleRows<3>(node < 2 ? 3 : 6);
+  };
+  CurvatureModel::Hessian result(16, 16);
+  result.setZero();
   for (Index p = 0; p < 4; ++p) {
+    const Eigen::Matrix<double, 3, 9> rows = by_rows(p);
     for (Index q = 0; q < 4; ++q) {
-      for (Index i = 0; i < 3; ++i) {
-        for (Index j = 0; j < 3; ++j) {
-          const double weight = share[static_cast<std::size_t>(p)][static_cast<std::size_t>(i)] *
-                                share[static_cast<std::size_t>(q)][static_cast<std::size_t>(j)];
-          if (weight == 0) continue;
-          result.block<3, 3>(4 * p, 4 * q) += weight * by_lines.block<3, 3>(3 * i, 3 * j);
-        }
-      }
+      const auto n = static_cast<std::size_t>(q);
+      result.block<3, 3>(4 * p, 4 * q) =
+          on_w[n] * rows.middleCols<3>(0) + on_edge[n] * rows.middleCols<3>(q < 2 ? 3 : 6);
     }
   }
   return result;
@@ -56,12 +63,16 @@ void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& mod
   LineKernel wide = kernel_;
   wide.touching_distance += nearly_touching * kernel_.touching_distance / 2;
   add_contact_energy(wide, state, list_.fours(), unused, touching);
-  for (const SelfContact& touch : touching) {
+  const auto exactness_of = [&](const SelfContact& touch) {
+    const auto ends = [&](Index edge) {
+      const Line line = line_of(state, edge);
+      return line.ends_before || line.ends_after;
+    };
+    return ends(touch.edges.first) || ends(touch.edges.second) ? 0 : model.exactness();
+  };
+  const auto add = [&](const SelfContact& touch, const ByLines& second_derivative) {
     const auto [i, j] = touch.edges;
-    const Line first = line_of(state, i), second = line_of(state, j);
-    const bool at_an_end =
-        first.ends_before || first.ends_after || second.ends_before || second.ends_after;
-    const double exactness = at_an_end ? 0 : model.exactness();
+    const double exactness = exactness_of(touch);
     const Vec3 n = touch.line.separation / touch.line.distance;
     const double s = touch.line.s;
     const double t = touch.line.t;
@@ -71,9 +82,24 @@ void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& mod
                                                          {nodes[2], (t - 0.5) * n},
                                                          {nodes[3], (-t - 0.5) * n}}};
     model.add_square((1 - exactness) * touch.line.stiffness, parts);
-    if (exactness == 0) continue;
-    model.add_hessian(exactness, by_nodes(kernel_.second_derivative(first, second)), nodes);
-  }
+    if (exactness > 0) model.add_hessian(exactness, by_nodes(second_derivative), nodes);
+  };
+  // Threads share the derivatives, some hundred at a time, which are then added in order.
+  constexpr Index at_a_time = 1024, tile = 64;
+  std::vector<ByLines> second_derivatives(at_a_time);
+  for_each_tile(
+      static_cast<Index>(touching.size()), at_a_time, false, [&](Index first, Index last) {
+        const auto part = std::span(touching).subspan(static_cast<std::size_t>(first),
+                                                      static_cast<std::size_t>(last - first));
+        for_each_tile(last - first, tile, true, [&](Index start, Index end) {
+          for (auto k = static_cast<std::size_t>(start); k < static_cast<std::size_t>(end); ++k) {
+            if (exactness_of(part[k]) == 0) continue;
+            const auto [i, j] = part[k].edges;
+            second_derivatives[k] = kernel_.second_derivative(line_of(state, i), line_of(state, j));
+          }
+        });
+        for (std::size_t k = 0; k < part.size(); ++k) add(part[k], second_derivatives[k]);
+      });
 }
 
 std::vector<SelfContact> SelfContactEnergy::contacts(const RodState& state) const {

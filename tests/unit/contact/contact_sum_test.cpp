@@ -4,16 +4,17 @@
 #include <gtest/gtest.h>
 
 #include "wirepack/core/random.hpp"
+#include "wirepack/core/threads.hpp"
 
 #include "../../support/sample_rods.hpp"
 
 namespace wirepack {
 namespace {
 
-// Three turns of a coil whose strands overlap; both ends touch the turn beside them.
-RodState tight_coil(const RodParams& params, RodEnds ends = {}) {
+// A coil, of three turns if not longer, whose strands overlap; both ends touch the turn beside them.
+RodState tight_coil(const RodParams& params, RodEnds ends = {}, Index count = 80) {
   Random random(5);
-  Points nodes(3, 80);
+  Points nodes(3, count);
   for (Index i = 0; i < nodes.cols(); ++i) {
     const double angle = 0.2 * static_cast<double>(i);
     nodes.col(i) = Vec3(5 * std::cos(angle), 5 * std::sin(angle), 0.29 * angle) +
@@ -62,18 +63,45 @@ TEST(ContactSum, FourPairsAtATimeGiveWhatTheKernelGivesForEach) {
   expect_sum_over_pairs(tight_coil(RodParams{}), 2);
 }
 
+TEST(ContactSum, OfALongWireIsTheSumOfItsShares) {
+  expect_sum_over_pairs(tight_coil(RodParams{}, {}, 2000), 2);
+}
+
 TEST(ContactSum, OfAClosedWireCountsTheEdgeThatClosesIt) {
   expect_sum_over_pairs(tight_coil(RodParams{}, {.closed = true}), 2);
 }
 
 TEST(ContactSum, CandidatesThatDoNotTouchChangeNoBit) {
-  const RodParams params;
-  const RodState rod = tight_coil(params);
   const LineKernel kernel = LineKernel::per_length(5, 1, 1);
-  const Sum wide = sum_of(kernel, rod, NeighborList(rod, {2, 1, pi}, 2).fours());
-  const Sum narrow = sum_of(kernel, rod, NeighborList(rod, {2, 1, pi}, 0.1).fours());
-  EXPECT_EQ(wide.energy, narrow.energy);
-  EXPECT_TRUE((wide.by_node.array() == narrow.by_node.array()).all());
+  for (const Index nodes : {80, 2000}) {
+    const RodState rod = tight_coil(RodParams{}, {}, nodes);
+    const Sum wide = sum_of(kernel, rod, NeighborList(rod, {2, 1, pi}, 2).fours());
+    const Sum narrow = sum_of(kernel, rod, NeighborList(rod, {2, 1, pi}, 0.1).fours());
+    EXPECT_EQ(wide.energy, narrow.energy);
+    EXPECT_TRUE((wide.by_node.array() == narrow.by_node.array()).all());
+  }
+}
+
+TEST(ContactSum, NumberOfThreadsChangesNoBitOfListOrSum) {
+  const RodState rod = tight_coil(RodParams{}, {}, 2000);
+  const LineKernel kernel = LineKernel::per_length(5, 1, 1);
+  std::vector<NeighborList> lists;
+  std::vector<Sum> sums;
+  for (const int threads : {1, 2, 5}) {
+    use_threads(threads);
+    lists.emplace_back(rod, ContactRange{2, 1, pi}, 1);
+    sums.push_back(sum_of(kernel, rod, lists.back().fours()));
+  }
+  use_threads(1);
+  EXPECT_GT(sums[0].energy, 0);
+  for (std::size_t k = 1; k < sums.size(); ++k) {
+    EXPECT_TRUE(std::ranges::equal(
+        lists[k].fours(), lists[0].fours(), [](const EdgeFour& p, const EdgeFour& q) {
+          return p.first == q.first && p.start == q.start && p.listed == q.listed;
+        }));
+    EXPECT_EQ(sums[k].energy, sums[0].energy);
+    EXPECT_TRUE((sums[k].by_node.array() == sums[0].by_node.array()).all());
+  }
 }
 
 TEST(ContactSum, ListedTouchesAreThoseOfTheKernelAndChangeNoBit) {
