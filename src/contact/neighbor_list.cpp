@@ -160,8 +160,7 @@ std::vector<EdgePair> near_edges(const RodState& state, double reach, Index sepa
 }
 
 NeighborList::NeighborList(const RodState& state, const ContactRange& range, double skin)
-    // both lines of a pair may move
-    : built_at_(state.nodes), allowed_move_(skin / 2) {
+    : built_at_(state.nodes), skin_(skin) {
   double longest = 0;
   for (Index j = 0; j < state.edge_count(); ++j) {
     const Vec3 e = state.nodes.col(next_node(state, j)) - state.nodes.col(j);
@@ -217,18 +216,28 @@ std::vector<EdgePair> NeighborList::pairs() const {
   return pairs;
 }
 
-bool NeighborList::covers(const RodState& state) const {
+bool NeighborList::covers(const RodState& state, double margin) const {
   if (state.nodes.cols() != built_at_.cols()) return false;
+  const double allowed_move = (skin_ - margin) / 2;  // both lines of a pair may move
+  const double limit = allowed_move * allowed_move;
+  const auto move = [&]<class T>(T, Index node) {
+    return load_columns<T>(state.nodes, node) - load_columns<T>(built_at_, node);
+  };
   // No point of an extended line moves farther than one of its ends, 2 b - a and 2 a - b for an edge
   // from a to b.
-  const double limit = allowed_move_ * allowed_move_;
-  for (Index j = 0; j < state.edge_count(); ++j) {
-    const Index k = next_node(state, j);
-    const Vec3 a = state.nodes.col(j) - built_at_.col(j);
-    const Vec3 b = state.nodes.col(k) - built_at_.col(k);
-    if ((2 * b - a).squaredNorm() > limit || (2 * a - b).squaredNorm() > limit) return false;
+  const auto stays = [&]<class T>(const Triple<T>& a, const Triple<T>& b) {
+    const Triple<T> start = T(2.0) * a - b, end = T(2.0) * b - a;
+    return dot(start, start) <= T(limit) && dot(end, end) <= T(limit);
+  };
+  const Index last = state.node_count() - 1;
+  Index j = 0;
+  for (; j + lane_count <= last; j += lane_count) {
+    if (!all_of(stays(move(Lanes(), j), move(Lanes(), j + 1)))) return false;
   }
-  return true;
+  for (; j < last; ++j) {
+    if (!stays(move(double(), j), move(double(), j + 1))) return false;
+  }
+  return !state.ends.closed || stays(move(double(), last), move(double(), 0));
 }
 
 }  // namespace wirepack

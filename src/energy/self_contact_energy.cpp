@@ -14,7 +14,8 @@ SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParam
       skin_(params.radius) {}
 
 bool SelfContactEnergy::prepare(const RodState& state) {
-  if (list_.covers(state)) return false;
+  // the curvature model also asks for what nearly touches
+  if (list_.covers(state, nearly_touching * kernel_.touching_distance / 2)) return false;
   list_ = NeighborList(state, range_, skin_);
   return true;
 }

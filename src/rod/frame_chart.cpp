@@ -34,7 +34,11 @@ FrameChart::FrameChart(RodState reference, const HeldUnknowns& held)
   for (Index i = 0; i < n; ++i) {
     for (int c = 0; c < 3; ++c) {
       take(i, c, held.coordinate[static_cast<std::size_t>(3 * i + c)]);
-      if (const Index u = unknown(i, c); u >= 0) add_to_runs(u, 3 * i + c);
+      if (const Index u = unknown(i, c); u >= 0) {
+        add_to_runs(u, 3 * i + c);
+      } else {
+        held_coordinates_.push_back(3 * i + c);
+      }
     }
     if (i < reference_.edge_count()) {
       take(i, 3, held.angle[static_cast<std::size_t>(i)]);
@@ -77,13 +81,6 @@ Eigen::VectorXd FrameChart::unknowns() const {
 
 namespace {
 
-// A frame of the reference and its tangent, turned.
-template <class T>
-struct Start {
-  QuatOf<T> frame;
-  Triple<T> tangent;
-};
-
 template <class T>
 struct Edge {
   Triple<T> tangent;
@@ -111,32 +108,42 @@ void for_each_edge(const RodState& state, F&& f) {
 
 }  // namespace
 
-void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out,
-                           std::span<const Quat> turns) const {
-  scatter(x, out.nodes);
-  if (!frames_follow_) return;
-  const Index edges = reference_.edge_count();
-  const Index frames = reference_tangents_.cols();
-  Eigen::VectorXd angle(frames);
+void FrameChart::scatter_angles(const Eigen::VectorXd& by_unknown,
+                                Eigen::VectorXd& by_frame) const {
+  const auto frames = static_cast<Index>(angle_number_.size());
+  by_frame.resize(frames);
   for (Index j = 0; j < frames; ++j) {
     const Index u = angle_unknown(j);
-    angle[j] = u >= 0 ? x[u] : 0.0;
+    by_frame[j] = u >= 0 ? by_unknown[u] : 0.0;
   }
-  const auto start = [&]<class T>(T, Index j) -> Start<T> {
-    const QuatOf<T> frame = load_quats<T>(reference_.frames.data(), j);
-    const Triple<T> t0 = load_columns<T>(reference_tangents_, j);
-    if (turns.empty()) return {frame, t0};
-    const QuatOf<T> turn = load_quats<T>(turns.data(), j);
-    return {turn * frame, turn * t0};
+}
+
+void FrameChart::gather_angles(const Eigen::VectorXd& by_frame, Eigen::VectorXd& by_unknown) const {
+  for (Index j = 0; j < by_frame.size(); ++j) {
+    if (const Index u = angle_unknown(j); u >= 0) by_unknown[u] = by_frame[j];
+  }
+}
+
+void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out) const {
+  scatter(x, out.nodes);
+  if (!frames_follow_) return;
+  Eigen::VectorXd angle;
+  scatter_angles(x, angle);
+  set_frames(start(), angle, out);
+}
+
+void FrameChart::set_frames(const Start& start, const Eigen::VectorXd& angle, RodState& out) const {
+  const Index edges = reference_.edge_count();
+  const Index frames = angle.size();
+  const auto turned = [&]<class T>(Index j, const Triple<T>& t0) {
+    return rotation_about(t0, load<T>(angle.data() + j)) * load_quats<T>(start.frames.data(), j);
   };
   for_each_edge(out, [&]<class T>(Index j, const Edge<T>& edge) {
-    const Start<T> from = start(T(), j);
-    const QuatOf<T> twisted = rotation_about(from.tangent, load<T>(angle.data() + j)) * from.frame;
-    store_quats(transport(from.tangent, edge.tangent) * twisted, out.frames.data(), j);
+    const Triple<T> t0 = load_columns<T>(start.tangents, j);
+    store_quats(transport(t0, edge.tangent) * turned(j, t0), out.frames.data(), j);
   });
   for (Index j = edges; j < frames; ++j) {
-    const Start<double> from = start(double(), j);
-    store_quats(rotation_about(from.tangent, angle[j]) * from.frame, out.frames.data(), j);
+    store_quats(turned(j, load_columns<double>(start.tangents, j)), out.frames.data(), j);
   }
   // The angles give the change of twist but for the small part from transport, so whole turns are
   // followed however far a clamp is turned in one step.
@@ -147,37 +154,37 @@ void FrameChart::set_state(const Eigen::VectorXd& x, RodState& out,
 }
 
 void FrameChart::pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
-                           Eigen::VectorXd& out, std::span<const Quat> turns) const {
+                           Eigen::VectorXd& out) const {
   out.resize(size_);
   if (!frames_follow_) {
     gather(by_node, out);
     return;
   }
+  Points by_nodes = by_node;
+  Eigen::VectorXd by_angle;
+  pull_back_frames(start(), state, by_frame, by_nodes, by_angle);
+  gather(by_nodes, out);
+  gather_angles(by_angle, out);
+}
+
+void FrameChart::pull_back_frames(const Start& start, const RodState& state, const Points& by_frame,
+                                  Points& by_node, Eigen::VectorXd& by_angle) const {
   const Index edges = state.edge_count();
   const Index frames = by_frame.cols();
   Points by_edge(3, edges);
-  Eigen::VectorXd by_angle(frames);
-  const auto tangent = [&]<class T>(T, Index j) {
-    const Triple<T> t0 = load_columns<T>(reference_tangents_, j);
-    return turns.empty() ? t0 : load_quats<T>(turns.data(), j) * t0;
-  };
+  by_angle.resize(frames);
   for_each_edge(state, [&]<class T>(Index j, const Edge<T>& edge) {
     const Triple<T> m = load_columns<T>(by_frame, j);
-    const Triple<T> t0 = tangent(T(), j), t = edge.tangent;
+    const Triple<T> t0 = load_columns<T>(start.tangents, j), t = edge.tangent;
     const T spin = dot(m, t);
     store(spin, by_angle.data() + j);
     store_columns((1.0 / edge.length) * (cross(m, t) - (spin / (1.0 + dot(t0, t))) * cross(t0, t)),
                   by_edge, j);
   });
   for (Index j = edges; j < frames; ++j) {
-    by_angle[j] = dot(load_columns<double>(by_frame, j), tangent(double(), j));
+    by_angle[j] = dot(load_columns<double>(by_frame, j), load_columns<double>(start.tangents, j));
   }
-  Points by_nodes = by_node;
-  add_by_edges(state, by_edge, by_nodes);
-  gather(by_nodes, out);
-  for (Index j = 0; j < frames; ++j) {
-    if (const Index u = angle_unknown(j); u >= 0) out[u] = by_angle[j];
-  }
+  add_by_edges(state, by_edge, by_node);
 }
 
 }  // namespace wirepack

@@ -72,7 +72,7 @@ Vec3 sum_of_crosses(const Points& a, const Points& b, Index count) {
 }  // namespace
 
 TurningChart::TurningChart(const FrameChart& chart, double taper)
-    : chart_(&chart), start_(chart.unknowns()), turns_(taper > 0) {
+    : chart_(&chart), turns_(taper > 0) {
   const RodState& reference = chart.reference();
   const Index n = reference.node_count();
   step_.setZero(3, n);
@@ -91,7 +91,8 @@ TurningChart::TurningChart(const FrameChart& chart, double taper)
   }
   while (rigid_nodes_ < n && node_weight_[rigid_nodes_] == 1) ++rigid_nodes_;
   if (chart.frames_follow()) {
-    frame_turn_.resize(reference.frames.size());
+    turned_frames_.resize(reference.frames.size());
+    turned_tangents_.resize(3, frame_weight_.size());
     while (rigid_frames_ < frame_weight_.size() && frame_weight_[rigid_frames_] == 1) {
       ++rigid_frames_;
     }
@@ -105,7 +106,6 @@ TurningChart::TurningChart(const FrameChart& chart, double taper)
   // a short wire near the axis can hardly be told apart from its turned self
   const double floor = 1e-3 * inertia.trace() + 1e-12 * reference.nodes.squaredNorm();
   inverse_inertia_ = (inertia + floor * Mat3::Identity()).inverse();
-  turned_ = reference.nodes;
   back_.setZero(3, n);
   node_turn_.resize(static_cast<std::size_t>(n - rigid_nodes_));
 }
@@ -114,10 +114,11 @@ void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
   const RodState& reference = chart_->reference();
   const Index n = reference.node_count();
   chart_->scatter(z, step_);
-  x_ = start_ + z;
+  if (chart_->frames_follow()) chart_->scatter_angles(z, angle_);
   if (!turns_) {
     moves_ = step_;
-    chart_->set_state(x_, out);
+    out.nodes = reference.nodes + step_;
+    if (chart_->frames_follow()) chart_->set_frames(chart_->start(), angle_, out);
     return;
   }
   omega_ = inverse_inertia_ * sum_of_crosses(weighted_, step_, n);
@@ -130,36 +131,63 @@ void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
   });
   for_each_in_lanes(0, rigid_nodes_, [&]<class T>(Index i) {
     const Triple<T> moved = load_columns<T>(reference.nodes, i) + load_columns<T>(moves_, i);
-    store_columns(times(turn_, moved), turned_, i);
+    store_columns(times(turn_, moved), out.nodes, i);
   });
   for (Index i = rigid_nodes_; i < n; ++i) {
     Mat3& turn = node_turn_[static_cast<std::size_t>(i - rigid_nodes_)];
     turn = rotation_of(node_weight_[i] * omega_).toRotationMatrix();
-    turned_.col(i) = turn * (reference.nodes.col(i) + moves_.col(i));
+    out.nodes.col(i) = turn * (reference.nodes.col(i) + moves_.col(i));
   }
-  chart_->gather(turned_, x_);
-  for (Index j = 0; j < static_cast<Index>(frame_turn_.size()); ++j) {
-    const double w = frame_weight_[j];
-    frame_turn_[static_cast<std::size_t>(j)] =
-        j < rigid_frames_ ? whole_turn : rotation_of(w * omega_);
-    const Index u = chart_->angle_unknown(j);
-    if (u >= 0) x_[u] -= w * omega_.dot(chart_->reference_tangent(j));
+  chart_->restore_held(out.nodes);
+  if (!chart_->frames_follow()) return;
+  turn_frames(whole_turn);
+  chart_->set_frames({turned_frames_, turned_tangents_}, angle_, out);
+}
+
+// Also takes from the angles what the turn of the reference gives them already, to first order.
+void TurningChart::turn_frames(const Quat& whole_turn) {
+  const std::vector<Quat>& frames = chart_->reference().frames;
+  const Points& tangents = chart_->start().tangents;
+  const auto less_turn = [&](Index j, const Vec3& spin) {
+    if (chart_->angle_unknown(j) >= 0) angle_[j] -= spin.dot(tangents.col(j));
+  };
+  for_each_in_lanes(0, rigid_frames_, [&]<class T>(Index j) {
+    const QuatOf<T> turn{whole_turn.w(), whole_turn.x(), whole_turn.y(), whole_turn.z()};
+    store_quats(turn * load_quats<T>(frames.data(), j), turned_frames_.data(), j);
+    store_columns(times(turn_, load_columns<T>(tangents, j)), turned_tangents_, j);
+  });
+  for (Index j = 0; j < rigid_frames_; ++j) less_turn(j, omega_);
+  for (Index j = rigid_frames_; j < tangents.cols(); ++j) {
+    const Vec3 spin = frame_weight_[j] * omega_;
+    const Quat turn = rotation_of(spin);
+    turned_frames_[static_cast<std::size_t>(j)] = turn * frames[static_cast<std::size_t>(j)];
+    turned_tangents_.col(j) = turn * tangents.col(j);
+    less_turn(j, spin);
   }
-  chart_->set_state(x_, out, frame_turn_);
 }
 
 void TurningChart::pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
                              const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z) {
-  chart_->pull_back(state, by_node, by_frame, by_x, frame_turn_);
-  by_z = by_x;
-  chart_->scatter(by_x, force_);
   const bool moves_count = by_move.cols() > 0;
+  const bool frames_follow = chart_->frames_follow();
+  force_ = by_node;
+  if (frames_follow) {
+    const FrameChart::Start start =
+        turns_ ? FrameChart::Start{turned_frames_, turned_tangents_} : chart_->start();
+    chart_->pull_back_frames(start, state, by_frame, force_, by_angle_);
+  }
+  by_x.resize(chart_->size());
+  chart_->gather(force_, by_x);
+  if (frames_follow) chart_->gather_angles(by_angle_, by_x);
+  by_z = by_x;
   if (!turns_) {
     if (!moves_count) return;
     back_ = force_ + by_move;
     chart_->gather(back_, by_z);
     return;
   }
+  // what is held follows no turn
+  chart_->clear_held(force_);
   const RodState& reference = chart_->reference();
   const Index n = reference.node_count();
   // The rigid nodes share one turn: their torques are summed before it is undone.
@@ -176,7 +204,7 @@ void TurningChart::pull_back(const RodState& state, const Points& by_node, const
   }
   if (moves_count) back_ += by_move;
   by_omega -= sum_of_crosses(weighted_, back_, n);
-  if (!frame_turn_.empty()) by_omega += by_turning_frames(state, by_x);
+  if (frames_follow) by_omega += by_turning_frames(state);
   const Mat3 turning = hat(inverse_inertia_ * by_omega);
   for_each_in_lanes(0, n, [&]<class T>(Index i) {
     store_columns(load_columns<T>(back_, i) + times(turning, load_columns<T>(weighted_, i)), back_,
@@ -187,17 +215,17 @@ void TurningChart::pull_back(const RodState& state, const Points& by_node, const
 
 // Turning the reference under a fixed tangent t spins the frame about t by
 // (t + t0').spin / (1 + t.t0'), t0' the turned reference tangent.
-Vec3 TurningChart::by_turning_frames(const RodState& state, const Eigen::VectorXd& by_x) const {
-  const Index frames = static_cast<Index>(frame_turn_.size());
+Vec3 TurningChart::by_turning_frames(const RodState& state) const {
+  const Index frames = by_angle_.size();
+  const Points& tangents = chart_->start().tangents;
+  // the angle of a held frame does not follow the turn
   Eigen::VectorXd by_angle(frames);
   for (Index j = 0; j < frames; ++j) {
-    const Index u = chart_->angle_unknown(j);
-    by_angle[j] = u >= 0 ? by_x[u] : 0.0;
+    by_angle[j] = chart_->angle_unknown(j) >= 0 ? by_angle_[j] : 0.0;
   }
-  const Points& tangents = chart_->reference_tangents();
   const auto spin_axis = [&]<class T>(T, Index j) {
     const Triple<T> t = third_axis(load_quats<T>(state.frames.data(), j));
-    const Triple<T> t0 = load_quats<T>(frame_turn_.data(), j) * load_columns<T>(tangents, j);
+    const Triple<T> t0 = load_columns<T>(turned_tangents_, j);
     return (1.0 / (1.0 + dot(t, t0))) * (t + t0);
   };
   TripleSum by_turn, by_tangent;
@@ -211,8 +239,7 @@ Vec3 TurningChart::by_turning_frames(const RodState& state, const Eigen::VectorX
     const double w = frame_weight_[j];
     if (w == 0) continue;
     by_omega += w * by_angle[j] *
-                (jacobian_transposed(w * omega_, vec3(spin_axis(double(), j))) -
-                 chart_->reference_tangent(j));
+                (jacobian_transposed(w * omega_, vec3(spin_axis(double(), j))) - tangents.col(j));
   }
   return by_omega;
 }

@@ -49,15 +49,15 @@ class NeighborList {
   NeighborList() = default;
   NeighborList(const RodState& state, const ContactRange& range, double skin);
 
-  /// No edge has moved so far that a pair outside the list could touch.
-  bool covers(const RodState& state) const;
+  /// No edge has moved so far that a pair outside the list could touch, or come within `margin` of that.
+  bool covers(const RodState& state, double margin = 0) const;
   std::span<const EdgeFour> fours() const { return fours_; }
   std::vector<EdgePair> pairs() const;
 
  private:
   std::vector<EdgeFour> fours_;
   Points built_at_;
-  double allowed_move_ = 0;
+  double skin_ = 0;
 };
 
 /// Pairs of edges with midpoints within `reach`, edge numbers at least `separation` apart (also

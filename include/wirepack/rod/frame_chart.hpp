@@ -48,11 +48,24 @@ class FrameChart {
   /// x of the reference.
   Eigen::VectorXd unknowns() const;
   /// State at x; `out` must be a copy of the reference or a former result (its memory is reused).
-  /// With `turns` (one rotation per frame), x is relative to reference frames turned by them.
-  void set_state(const Eigen::VectorXd& x, RodState& out, std::span<const Quat> turns = {}) const;
-  /// Derivative by x, turns fixed, from derivatives by nodes (3 x N) and spins (3 x frames) at `state`.
+  void set_state(const Eigen::VectorXd& x, RodState& out) const;
+  /// Derivative by x, from derivatives by nodes (3 x N) and spins (3 x frames) at `state`.
   void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
-                 Eigen::VectorXd& out, std::span<const Quat> turns = {}) const;
+                 Eigen::VectorXd& out) const;
+
+  /// Frames that angles are counted from, and their tangents (3 x frames): those of the reference, or those
+  /// turned by what a chart upon this one knows.
+  struct Start {
+    std::span<const Quat> frames;
+    const Points& tangents;
+  };
+  Start start() const { return {reference_.frames, reference_tangents_}; }
+  /// Frames of a state whose nodes are set, from the angles of all frames. If frames follow.
+  void set_frames(const Start& start, const Eigen::VectorXd& angle, RodState& out) const;
+  /// Adds what follows from the spins to derivatives by nodes, and sets those by angles, at a fixed start.
+  void pull_back_frames(const Start& start, const RodState& state, const Points& by_frame,
+                        Points& by_node, Eigen::VectorXd& by_angle) const;
+
   /// Vectors by nodes (3 x N) <-> the coordinates among unknowns; what is held stays as it is.
   void scatter(const Eigen::VectorXd& by_unknown, Points& by_node) const {
     for (const Run& run : runs_) {
@@ -68,10 +81,19 @@ class FrameChart {
       for (Index k = 0; k < run.count; ++k) to[k] = from[k];
     }
   }
+  /// The same for angles of all frames; a held one is 0.
+  void scatter_angles(const Eigen::VectorXd& by_unknown, Eigen::VectorXd& by_frame) const;
+  void gather_angles(const Eigen::VectorXd& by_frame, Eigen::VectorXd& by_unknown) const;
+  /// Coordinates that are no unknowns set to those of the reference, or of a derivative by nodes to 0.
+  void restore_held(Points& nodes) const {
+    for (const Index k : held_coordinates_) nodes.data()[k] = reference_.nodes.data()[k];
+  }
+  void clear_held(Points& by_node) const {
+    for (const Index k : held_coordinates_) by_node.data()[k] = 0;
+  }
   bool frames_follow() const { return frames_follow_; }
-  /// Tangent of a frame in the reference; and of all (3 x frames).
+  /// Tangent of a frame in the reference.
   Vec3 reference_tangent(Index frame) const { return reference_tangents_.col(frame); }
-  const Points& reference_tangents() const { return reference_tangents_; }
 
  private:
   /// Successive coordinates that are successive unknowns.
@@ -82,7 +104,7 @@ class FrameChart {
   void add_to_runs(Index unknown, Index coordinate);
 
   RodState reference_;
-  std::vector<Index> number_, angle_number_;
+  std::vector<Index> number_, angle_number_, held_coordinates_;
   std::vector<Run> runs_;
   bool frames_follow_ = true;
   Points reference_tangents_;

@@ -28,15 +28,16 @@ class TurningChart {
   /// z_i - w_i omega x r_i.
   const Points& moves() const { return moves_; }
   /// Derivatives at the z of the last set_state, from those by nodes and spins at `state` (by x, as
-  /// FrameChart::pull_back gives them, and by z) and from those of a function of moves() (by z only).
+  /// FrameChart::pull_back gives them with the frames turned, and by z) and from those of a function of
+  /// moves() (by z only).
   void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
                  const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z);
 
  private:
-  Vec3 by_turning_frames(const RodState& state, const Eigen::VectorXd& by_x) const;
+  void turn_frames(const Quat& whole_turn);
+  Vec3 by_turning_frames(const RodState& state) const;
 
   const FrameChart* chart_;
-  Eigen::VectorXd start_;
   Eigen::VectorXd node_weight_, frame_weight_;
   Index rigid_nodes_ = 0, rigid_frames_ = 0;  // those from the tip on whose weight is 1
   Points weighted_;                           // w_i r_i
@@ -45,9 +46,10 @@ class TurningChart {
   Vec3 omega_ = Vec3::Zero();
   Mat3 turn_ = Mat3::Identity();  // exp(omega), of the last set_state
   std::vector<Mat3> node_turn_;   // of the nodes behind the rigid ones
-  std::vector<Quat> frame_turn_;
-  Eigen::VectorXd x_;
-  Points step_, moves_, turned_, force_, back_;
+  std::vector<Quat> turned_frames_;
+  Points turned_tangents_;
+  Eigen::VectorXd angle_, by_angle_;
+  Points step_, moves_, force_, back_;
 };
 
 }  // namespace wirepack
