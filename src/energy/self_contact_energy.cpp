@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "wirepack/core/threads.hpp"
@@ -15,7 +16,10 @@ SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParam
 
 bool SelfContactEnergy::prepare(const RodState& state) {
   // the curvature model also asks for what nearly touches
-  if (list_.covers(state, nearly_touching * kernel_.touching_distance / 2)) return false;
+  const double margin = nearly_touching * kernel_.touching_distance / 2;
+  if (list_.covers(state, margin)) return false;
+  std::swap(list_, list_before_);
+  if (list_.covers(state, margin)) return false;
   list_ = NeighborList(state, range_, skin_);
   return true;
 }

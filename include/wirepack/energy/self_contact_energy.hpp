@@ -24,7 +24,7 @@ class SelfContactEnergy {
  public:
   static constexpr std::string_view name = "contact";
   SelfContactEnergy(const RodParams& params, const ContactParams& contact);
-  /// Makes a new neighbor list where the old one does not cover the state; returns whether.
+  /// Makes a new neighbor list where the last two do not cover the state; returns whether.
   bool prepare(const RodState& state);
   double add_gradient(const RodState& state, Gradient& gradient) const;
   /// The same, and replaces `contacts` by what touches, in no particular but always the same order.
@@ -39,6 +39,7 @@ class SelfContactEnergy {
   LineKernel kernel_;
   double skin_;
   NeighborList list_;
+  NeighborList list_before_;  // a step that was too long is taken back
 };
 
 }  // namespace wirepack
