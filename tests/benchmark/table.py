@@ -4,7 +4,8 @@
     table.py RESULT.json...
 
 A ratio is reference / measured: above 1 wirepack is faster, or needs less. What an edge of wire costs
-(edge_cost) is a table of its own, with the power of the number of nodes that fits it.
+(edge_cost) is a table of its own, with the power of the number of nodes that fits it; what threads bring
+(edges_by_threads) is a line.
 """
 
 import csv
@@ -119,6 +120,17 @@ def print_edge_costs(costs):
         print()
 
 
+THREADS = re.compile(r"edges_by_threads/threads:(\d+)$")
+
+
+def print_thread_gains(times):
+    """times: number of threads -> seconds of the clock."""
+    gains = [f"{times[1] / t:.2f} times as fast by {n}" for n, t in sorted(times.items()) if n > 1]
+    if 1 in times and gains:
+        print("The same increments by threads: " + ", ".join(gains) + " as by one (seconds of the clock)")
+        print()
+
+
 def main(paths):
     if not paths:
         print(__doc__.strip(), file=sys.stderr)
@@ -132,6 +144,13 @@ def main(paths):
     ]
     if costs:
         print_edge_costs(costs)
+    print_thread_gains(
+        {
+            int(found[1]): results.pop(name)["seconds"]
+            for name in list(results)
+            if (found := THREADS.fullmatch(name)) and "error" not in results[name]
+        }
+    )
     if not results:
         return 0
     print("| benchmark | CPU time | measures | compared with |")
