@@ -100,6 +100,22 @@ Hdf5Table<double> table_of(const CrossingList& crossings) {
   return table;
 }
 
+Hdf5Table<double> table_of(const std::vector<ForceReading>& forces) {
+  Hdf5Table<double> table{{}, forces.size(), 2};
+  for (const auto& [length, force] : forces) {
+    table.values.insert(table.values.end(), {length, force});
+  }
+  return table;
+}
+
+std::vector<ForceReading> forces_of(const Hdf5Table<double>& table) {
+  std::vector<ForceReading> forces;
+  for (std::size_t i = 0; i < table.values.size(); i += 2) {
+    forces.push_back({table.values[i], table.values[i + 1]});
+  }
+  return forces;
+}
+
 CrossingList crossings_of(const Hdf5Table<double>& table) {
   CrossingList crossings;
   for (std::size_t i = 0; i < table.values.size(); i += 2) {
@@ -178,6 +194,7 @@ void write_progress(hid_t file, const PackingProgress& progress) {
   replace_table(checkpoint, "frames", table_of(rod.frames, static_cast<Index>(rod.frames.size())));
   replace_table(checkpoint, "twist_guide", list_of(rod.twist_guide));
   replace_table(checkpoint, "slip_memory", table_of(progress.slip_memory));
+  replace_table(checkpoint, "recent_forces", table_of(progress.recent_forces));
   for_each_checkpoint_scalar(progress, write_to(checkpoint));
   write_attribute(checkpoint, "missed_by_edge", progress.work_errors.edge_share);
   write_attribute(checkpoint, "trapezoid_error", progress.work_errors.trapezoid);
@@ -236,6 +253,9 @@ PackingProgress read_progress(hid_t file) {
   rod.twist_guide = read_table<double>(checkpoint, "twist_guide", 0).values;
   if (has_link(checkpoint, "slip_memory")) {  // files of 0.1.0 have none
     progress.slip_memory = memory_of(read_table<double>(checkpoint, "slip_memory", 6));
+  }
+  if (has_link(checkpoint, "recent_forces")) {  // files of 0.1.0 have none
+    progress.recent_forces = forces_of(read_table<double>(checkpoint, "recent_forces", 2));
   }
   for_each_checkpoint_scalar(progress, read_from(checkpoint));
   if (has_attribute(checkpoint, "trapezoid_error")) {  // files of 0.1.0 have none

@@ -139,9 +139,11 @@ void perturb(const Scenario& scenario, DynamicState& state, std::uint64_t& rando
 
 // A straight wire takes time to buckle, in which the force goes far beyond that of rest: limits of
 // the force count from the first coil on.
-std::optional<StopReason> limit_reached(const Scenario& scenario, HistoryRow row) {
-  if (is_first_coil(scenario, row.inserted_length)) row.force = row.scaled_force = 0;
-  return reached_limit(scenario, row);
+std::optional<StopReason> limit_reached(const Scenario& scenario, const PackingProgress& progress) {
+  if (!is_first_coil(scenario, progress.last.inserted_length)) {
+    return reached_limit(scenario, progress);
+  }
+  return reached_limit(scenario, progress.last, std::nullopt);
 }
 
 std::string unstable_message(const HistoryRow& row, double step) {
@@ -300,9 +302,9 @@ std::optional<StopReason> DynamicPacking::advance() {
     throw NumericalFailure(unstable_message(row, model_->step));
   }
   next.last = row;
-  note_crossings(scenario_, row, next);
+  note_force(scenario_, next);
   progress_ = std::move(next);
-  return limit_reached(scenario_, progress_.last);
+  return limit_reached(scenario_, progress_);
 }
 
 bool DynamicPacking::frame_is_due() const { return wirepack::frame_is_due(scenario_, progress_); }

@@ -53,11 +53,16 @@ HistoryRow observe(const Scenario& scenario, SelfContactEnergy& contact, const R
   return row;
 }
 
-void note_crossings(const Scenario& scenario, const HistoryRow& row, PackingProgress& progress) {
-  const double a = scenario.wire.radius;
-  note_crossings(progress.scaled_crossings, row.scaled_force, row.packing_density);
-  note_crossings(progress.absolute_crossings, row.force / (scenario.wire.youngs_modulus * a * a),
-                 row.packing_density);
+void note_force(const Scenario& scenario, PackingProgress& progress) {
+  const double edge_length = scenario.wire.edge_length, a = scenario.wire.radius;
+  note_force(edge_length, progress.last, progress.recent_forces);
+  const std::optional<double> force = mean_force(edge_length, progress.recent_forces);
+  if (!force) return;
+  const double radius = scenario.cavity.radius, density = progress.last.packing_density;
+  note_crossings(progress.scaled_crossings,
+                 *force * radius * radius / stiffness(scenario.wire).bend, density);
+  note_crossings(progress.absolute_crossings, *force / (scenario.wire.youngs_modulus * a * a),
+                 density);
 }
 
 bool frame_is_due(const Scenario& scenario, const PackingProgress& progress) {

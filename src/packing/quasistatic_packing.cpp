@@ -269,7 +269,7 @@ std::optional<StopReason> QuasistaticPacking::advance() {
       next.work = progress_.work;
       next.substep = std::min(1.0, 2 * next.substep);
       progress_ = std::move(next);
-      return reached_limit(scenario_, progress_.last);
+      return reached_limit(scenario_, progress_);
     }
     if (progress_.substep <= smallest_substep) return result.failure;
     progress_.substep /= 2;
@@ -351,7 +351,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   row.snap_energy = booking.released + released_by_split;
   if (row.snap_energy > 0) ++next.snaps;
   next.last = row;
-  note_crossings(scenario_, row, next);
+  note_force(scenario_, next);
   return result;
 }
 

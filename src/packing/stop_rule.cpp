@@ -22,21 +22,30 @@ std::string_view name_of(StopReason reason) {
   return "unknown";
 }
 
-std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryRow& row) {
+std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryRow& row,
+                                        std::optional<double> force) {
   const StopLimits& stop = scenario.stop;
-  const double a = scenario.wire.radius;
   // lengths are sums of increments: a limit is reached to round-off
   const auto reached = [](double value, const auto& limit) {
     return limit && value >= static_cast<double>(*limit) * (1 - 1e-12);
   };
-  if (reached(row.scaled_force, stop.scaled_force)) return StopReason::scaled_force;
-  if (reached(row.force / (scenario.wire.youngs_modulus * a * a), stop.force)) {
-    return StopReason::force;
+  if (force) {
+    const double a = scenario.wire.radius, radius = scenario.cavity.radius;
+    const double scaled = *force * radius * radius / stiffness(scenario.wire).bend;
+    if (reached(scaled, stop.scaled_force)) return StopReason::scaled_force;
+    if (reached(*force / (scenario.wire.youngs_modulus * a * a), stop.force)) {
+      return StopReason::force;
+    }
   }
   if (reached(row.packing_density, stop.density)) return StopReason::density;
   if (reached(row.inserted_length, stop.length)) return StopReason::length;
   if (reached(row.increment, stop.increments)) return StopReason::increments;
   return std::nullopt;
+}
+
+std::optional<StopReason> reached_limit(const Scenario& scenario, const PackingProgress& progress) {
+  return reached_limit(scenario, progress.last,
+                       mean_force(scenario.wire.edge_length, progress.recent_forces));
 }
 
 }  // namespace wirepack

@@ -12,8 +12,8 @@ namespace wirepack {
 /// the term of the scenario, whose neighbor list is used again.
 HistoryRow observe(const Scenario& scenario, SelfContactEnergy& contact, const RodState& rod);
 
-/// Adds the levels of force that this row is the first to reach.
-void note_crossings(const Scenario& scenario, const HistoryRow& row, PackingProgress& progress);
+/// Notes the force of the last row, and the levels that its mean over an edge length is the first to reach.
+void note_force(const Scenario& scenario, PackingProgress& progress);
 
 /// phi has grown by output.frame_every_density since the last frame.
 bool frame_is_due(const Scenario& scenario, const PackingProgress& progress);

@@ -7,13 +7,14 @@
 #include "wirepack/dynamics/equation_of_motion.hpp"
 #include "wirepack/dynamics/gear_values.hpp"
 #include "wirepack/energy/slip_potential.hpp"
+#include "wirepack/packing/mean_force.hpp"
 #include "wirepack/packing/work_balance.hpp"
 #include "wirepack/rod/rod_state.hpp"
 #include "wirepack/solve/solver_work.hpp"
 
 namespace wirepack {
 
-/// Density at which the force first went through a level; phi_max at any threshold can be read off
+/// Density at which the mean force over an edge length first went through a level; phi_max at any threshold can be read off
 /// afterwards. Levels are decades and half-decades (1, sqrt(10), 10, ...).
 struct ForceCrossing {
   double level;
@@ -37,6 +38,7 @@ struct PackingProgress {
   std::vector<SlipMemory> slip_memory;  ///< of the contacts with friction
   double substep = 1;                   ///< part of an increment that is taken at a time, 2^-k
   WorkErrors work_errors;
+  std::vector<ForceReading> recent_forces;  ///< for their mean over an edge length
   double last_frame_density = -1;
   std::vector<ForceCrossing> scaled_crossings;    ///< of F R^2 / YI
   std::vector<ForceCrossing> absolute_crossings;  ///< of F / (Y a^2)

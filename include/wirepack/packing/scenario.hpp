@@ -22,8 +22,8 @@ struct InsertionOptions {
 
 /// The first limit that is reached ends the run; at least one is set.
 struct StopLimits {
-  std::optional<double> scaled_force;  ///< F R^2 / YI
-  std::optional<double> force;         ///< F / (Y a^2)
+  std::optional<double> scaled_force;  ///< F R^2 / YI, mean over the last edge length fed
+  std::optional<double> force;         ///< F / (Y a^2), the same
   std::optional<double> density;       ///< phi
   std::optional<double> length;        ///< inserted length [length]
   std::optional<std::int64_t> increments;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "wirepack/packing/history.hpp"
+#include "wirepack/packing/packing_progress.hpp"
 #include "wirepack/packing/scenario.hpp"
 
 namespace wirepack {
@@ -20,7 +20,11 @@ enum class StopReason {
 };
 std::string_view name_of(StopReason reason);
 
-/// The limit of the scenario that this increment has reached, if any.
-std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryRow& row);
+/// The limit of the scenario that a run has reached with this row, if any. Limits of the force ask for
+/// `force`, the mean over the last edge length of wire; nothing: it is not known yet.
+std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryRow& row,
+                                        std::optional<double> force);
+/// The same of the last row.
+std::optional<StopReason> reached_limit(const Scenario& scenario, const PackingProgress& progress);
 
 }  // namespace wirepack

@@ -63,6 +63,7 @@ PackingProgress progress_of(int increment, Index nodes) {
   p.work_errors.edge_share = -0.02 / 3;
   p.work_errors.trapezoid = 0.1 / 7;
   p.last_frame_density = 0.3;
+  p.recent_forces = {{1.0 / 3, 0.1}, {2.0 / 3, 0.7}};
   p.scaled_crossings = {{1, 0.1}, {std::sqrt(10.0), 0.2}};
   p.snaps = 4;
   p.rollbacks = 5;
@@ -122,6 +123,9 @@ TEST_F(Hdf5File, progress_comes_back_bit_for_bit_also_when_it_was_replaced) {
     EXPECT_EQ(back.work_errors.edge_share, p.work_errors.edge_share);
     EXPECT_EQ(back.work_errors.trapezoid, p.work_errors.trapezoid);
     EXPECT_EQ(back.last_frame_density, p.last_frame_density);
+    ASSERT_EQ(back.recent_forces.size(), 2u);
+    EXPECT_EQ(back.recent_forces[1].inserted_length, 2.0 / 3);
+    EXPECT_EQ(back.recent_forces[1].force, 0.7);
     ASSERT_EQ(back.scaled_crossings.size(), 2u);
     EXPECT_EQ(back.scaled_crossings[1].level, std::sqrt(10.0));
     EXPECT_EQ(back.scaled_crossings[1].packing_density, 0.2);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "wirepack/packing/history.hpp"
+
+namespace wirepack {
+
+/// Injection force of one row.
+struct ForceReading {
+  double inserted_length, force;
+};
+
+/// Adds the reading of a row and drops those that the mean over `edge_length` needs no more.
+void note_force(double edge_length, const HistoryRow& row, std::vector<ForceReading>& recent);
+
+/// Mean injection force over the last `edge_length` of wire fed. The force alternates with the phase of the
+/// mesh, once an edge, and how high a peak is read depends on the increments; the mean is that of the wire.
+/// Trapezoids between readings; increments of a whole edge read one phase alone, at which the force is its
+/// mean: the reading itself. Nothing before so much has been fed.
+std::optional<double> mean_force(double edge_length, std::span<const ForceReading> recent);
+
+}  // namespace wirepack

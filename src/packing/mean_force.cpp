@@ -1,0 +1,41 @@
+#include "wirepack/packing/mean_force.hpp"
+
+#include <algorithm>
+
+namespace wirepack {
+
+namespace {
+
+constexpr double round_off = 1e-9;
+
+}  // namespace
+
+void note_force(double edge_length, const HistoryRow& row, std::vector<ForceReading>& recent) {
+  recent.push_back({row.inserted_length, row.force});
+  const double start = row.inserted_length - edge_length * (1 - round_off);
+  const auto needed = std::find_if(recent.begin(), recent.end(), [&](const ForceReading& r) {
+    return r.inserted_length > start;
+  });
+  // and the last one before
+  if (needed != recent.begin()) recent.erase(recent.begin(), needed - 1);
+}
+
+std::optional<double> mean_force(double edge_length, std::span<const ForceReading> recent) {
+  if (recent.empty()) return std::nullopt;
+  const double end = recent.back().inserted_length, start = end - edge_length;
+  if (recent.front().inserted_length > start + round_off * edge_length) return std::nullopt;
+  if (recent.size() == 2) return recent.back().force;
+  double sum = 0;
+  for (std::size_t k = 1; k < recent.size(); ++k) {
+    const ForceReading& from = recent[k - 1];
+    const ForceReading& to = recent[k];
+    const double length = to.inserted_length - from.inserted_length;
+    // the first part may reach back beyond the start
+    const double part = std::clamp((to.inserted_length - start) / length, 0.0, 1.0);
+    const double at_start = to.force + part * (from.force - to.force);
+    sum += part * length * (at_start + to.force) / 2;
+  }
+  return sum / edge_length;
+}
+
+}  // namespace wirepack
