@@ -12,6 +12,8 @@
 
 namespace wirepack {
 
+struct QuasistaticModel;  // the energy terms of a scenario
+
 /// One quasi-static packing run, an increment at a time; the caller records what it gets and can
 /// stop or save `progress()` between any two increments. Feed, minimize, check, observe.
 class QuasistaticPacking {
@@ -33,8 +35,6 @@ class QuasistaticPacking {
   bool frame_is_due() const;
   PackingFrame take_frame();
 
-  struct Model;  // the energy terms of the scenario
-
  private:
   struct StepResult {
     std::optional<StopReason> failure;
@@ -45,7 +45,7 @@ class QuasistaticPacking {
   StepResult step(PackingProgress& next);
   double length_of_step() const;
 
-  std::unique_ptr<Model> model_;
+  std::unique_ptr<QuasistaticModel> model_;
   Scenario scenario_;
   PackingProgress progress_;
 };
