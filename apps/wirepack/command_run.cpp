@@ -169,7 +169,7 @@ Command run_command(CLI::App& program, const std::string& command_line) {
                 "Prints the resolved configuration and an estimate, and writes nothing");
   app->add_option(
          "--threads", options->threads,
-         "Threads to compute with; never changes a result. Large spheres gain by two or more")
+         "Threads to compute with, 1 by default; never changes a result. Large dense packings gain")
       ->type_name("N")
       ->check(CLI::Range(1, 4096));
   app->footer(

@@ -6,8 +6,7 @@ namespace wirepack {
 
 HistoryTable::HistoryTable(const Scenario& scenario)
     : radius_(scenario.wire.radius),
-      force_unit_(stiffness(scenario.wire).bend /
-                  (scenario.cavity.radius * scenario.cavity.radius)),
+      force_unit_(force_unit(scenario)),
       energy_unit_(stiffness(scenario.wire).bend / scenario.cavity.radius) {}
 
 std::string HistoryTable::header() const {

@@ -73,8 +73,7 @@ void settle(RodState& rod, const HeldUnknowns& held, const Scenario& scenario) {
   const WallEnergy wall(scenario.wire, scenario.cavity, scenario.wall_stiffness);
   TotalEnergy energy(stretch, joints, wall);
   const double bend = stiffness(scenario.wire).bend;
-  const double force =
-      scenario.minimizer.tolerance * bend / (scenario.cavity.radius * scenario.cavity.radius);
+  const double force = scenario.minimizer.tolerance * force_unit(scenario);
   const EquilibriumOptions options{force, force * scenario.wire.radius,
                                    scenario.minimizer.shift * bend, scenario.minimizer};
   RodState settled = rod;
@@ -159,7 +158,6 @@ std::string unstable_message(const HistoryRow& row, double step) {
 struct DynamicPacking::Model {
   Model(const Scenario& scenario, const Nozzle& at)
       : nozzle(at), values(dynamics_values(scenario)), contact(scenario.wire, scenario.contact) {
-    force_unit = stiffness(scenario.wire).bend / (scenario.cavity.radius * scenario.cavity.radius);
     // a whole number of steps to an increment
     const double time = scenario.insertion.increment / values.insertion_speed;
     step = time / std::ceil(time / values.time_step - 1e-9);
@@ -168,7 +166,6 @@ struct DynamicPacking::Model {
   Nozzle nozzle;
   DynamicsValues values;
   SelfContactEnergy contact;  // for observation
-  double force_unit;          // YI / R^2
   double step;
 };
 
@@ -283,7 +280,7 @@ std::optional<StopReason> DynamicPacking::advance() {
   row.energy_kinetic = flow.kinetic;
   row.force = insertion / fed;
   row.force_difference = (row.energy_total - progress_.last.energy_total) / fed;
-  row.scaled_force = row.force / model_->force_unit;
+  row.scaled_force = row.force / force_unit(scenario_);
   row.evaluations = static_cast<double>(steps);
   row.time = state.time;
   row.work = work;
@@ -297,7 +294,8 @@ std::optional<StopReason> DynamicPacking::advance() {
   const double missing = residue(next.balance, row);
   row.audit_residual = missing / next.balance.work;
   const double change = missing - residue(progress_.balance, progress_.last);
-  const double turnover = std::abs(work) + std::abs(friction) + viscous + model_->force_unit * fed;
+  const double turnover =
+      std::abs(work) + std::abs(friction) + viscous + force_unit(scenario_) * fed;
   if (!(std::abs(change) < unstable_share * turnover)) {
     throw NumericalFailure(unstable_message(row, model_->step));
   }

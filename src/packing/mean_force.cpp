@@ -24,7 +24,7 @@ std::optional<double> mean_force(double edge_length, std::span<const ForceReadin
   if (recent.empty()) return std::nullopt;
   const double end = recent.back().inserted_length, start = end - edge_length;
   if (recent.front().inserted_length > start + round_off * edge_length) return std::nullopt;
-  if (recent.size() == 2) return recent.back().force;
+  if (recent.size() == 2) return recent.back().force;  // a whole edge lies between them
   double sum = 0;
   for (std::size_t k = 1; k < recent.size(); ++k) {
     const ForceReading& from = recent[k - 1];

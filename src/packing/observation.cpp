@@ -54,15 +54,12 @@ HistoryRow observe(const Scenario& scenario, SelfContactEnergy& contact, const R
 }
 
 void note_force(const Scenario& scenario, PackingProgress& progress) {
-  const double edge_length = scenario.wire.edge_length, a = scenario.wire.radius;
+  const double edge_length = scenario.wire.edge_length, density = progress.last.packing_density;
   note_force(edge_length, progress.last, progress.recent_forces);
   const std::optional<double> force = mean_force(edge_length, progress.recent_forces);
   if (!force) return;
-  const double radius = scenario.cavity.radius, density = progress.last.packing_density;
-  note_crossings(progress.scaled_crossings,
-                 *force * radius * radius / stiffness(scenario.wire).bend, density);
-  note_crossings(progress.absolute_crossings, *force / (scenario.wire.youngs_modulus * a * a),
-                 density);
+  note_crossings(progress.scaled_crossings, *force / force_unit(scenario), density);
+  note_crossings(progress.absolute_crossings, *force / absolute_force_unit(scenario), density);
 }
 
 bool frame_is_due(const Scenario& scenario, const PackingProgress& progress) {

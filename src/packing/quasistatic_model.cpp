@@ -68,8 +68,7 @@ QuasistaticModel::QuasistaticModel(const Scenario& scenario, const Nozzle& at)
       friction(scenario.wire, scenario.cavity, scenario.friction),
       nozzle(at) {
   const double bend = stiffness(scenario.wire).bend;
-  force_unit = bend / (scenario.cavity.radius * scenario.cavity.radius);
-  options.force_tolerance = scenario.minimizer.tolerance * force_unit;
+  options.force_tolerance = scenario.minimizer.tolerance * force_unit(scenario);
   options.moment_tolerance = options.force_tolerance * scenario.wire.radius;
   options.shift = scenario.minimizer.shift * bend;
   options.method = scenario.minimizer;

@@ -25,7 +25,6 @@ struct QuasistaticModel {
   SlipPotential friction;
   Nozzle nozzle;
   EquilibriumOptions options;
-  double force_unit;  // YI / R^2
 };
 
 /// Brings the wire to rest.

@@ -177,7 +177,7 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
     if (!result.failure) {
       released_by_split = book_split(
           energy_before - split.report.energy - split.against_friction,
-          scenario_.wire.edge_length * std::max(std::abs(force_before), model_->force_unit),
+          scenario_.wire.edge_length * std::max(std::abs(force_before), force_unit(scenario_)),
           next.balance);
       energy_before = split.report.energy;
       force_before = split.report.inlet_length_force;
@@ -204,14 +204,14 @@ QuasistaticPacking::StepResult QuasistaticPacking::step(PackingProgress& next) {
   row.energy_total = rest.energy;
   row.force = rest.inlet_length_force;
   row.force_difference = (rest.energy - energy_before + against_friction) / fed;
-  row.scaled_force = row.force / model_->force_unit;
+  row.scaled_force = row.force / force_unit(scenario_);
   row.residual = rest.residual * scenario_.minimizer.tolerance;
   row.wall_seconds = next.last.wall_seconds;
   row.friction_dissipation = dissipated;
 
   const WorkBooking booking =
       book({fed, force_before, row.force, rest.energy - energy_before + against_friction,
-            model_->force_unit, slides},
+            force_unit(scenario_), slides},
            next.balance, next.work_errors);
   result.unresolved = !booking.resolved;
   row.snap_energy = booking.released + released_by_split;

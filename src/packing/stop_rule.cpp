@@ -30,12 +30,8 @@ std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryR
     return limit && value >= static_cast<double>(*limit) * (1 - 1e-12);
   };
   if (force) {
-    const double a = scenario.wire.radius, radius = scenario.cavity.radius;
-    const double scaled = *force * radius * radius / stiffness(scenario.wire).bend;
-    if (reached(scaled, stop.scaled_force)) return StopReason::scaled_force;
-    if (reached(*force / (scenario.wire.youngs_modulus * a * a), stop.force)) {
-      return StopReason::force;
-    }
+    if (reached(*force / force_unit(scenario), stop.scaled_force)) return StopReason::scaled_force;
+    if (reached(*force / absolute_force_unit(scenario), stop.force)) return StopReason::force;
   }
   if (reached(row.packing_density, stop.density)) return StopReason::density;
   if (reached(row.inserted_length, stop.length)) return StopReason::length;

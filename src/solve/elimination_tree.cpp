@@ -132,6 +132,18 @@ List postorder(const List& parent) {
   return result;
 }
 
+// Another order with the same fill, in which every vertex comes right after its subtrees.
+void put_subtrees_together(List& order, List& parent) {
+  const List by_subtrees = postorder(parent), old_order = order, old_parent = parent;
+  List place(order.size());
+  for (std::size_t k = 0; k < place.size(); ++k) place[at(by_subtrees[k])] = static_cast<int>(k);
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    const std::size_t old = at(by_subtrees[k]);
+    order[k] = old_order[old];
+    parent[k] = old_parent[old] < 0 ? -1 : place[at(old_parent[old])];
+  }
+}
+
 // Of each vertex, in the order of elimination: those after it that it is coupled to when its turn comes.
 std::vector<List> fill_patterns(const List& order, const List& parent, const Graph& graph) {
   const int n = graph.size();
@@ -237,16 +249,7 @@ EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower) {
   const int n = graph.size();
   List order = minimum_degree_order(graph);
   List parent = parents_in(order, graph);
-  {
-    const List by_subtrees = postorder(parent);
-    List place(at(n)), old_order = order, old_parent = parent;
-    for (int k = 0; k < n; ++k) place[at(by_subtrees[at(k)])] = k;
-    for (int k = 0; k < n; ++k) {
-      order[at(k)] = old_order[at(by_subtrees[at(k)])];
-      const int above = old_parent[at(by_subtrees[at(k)])];
-      parent[at(k)] = above < 0 ? -1 : place[at(above)];
-    }
-  }
+  put_subtrees_together(order, parent);
   const std::vector<List> pattern = fill_patterns(order, parent, graph);
 
   EliminationTree tree;

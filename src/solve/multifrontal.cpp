@@ -77,15 +77,21 @@ class Elimination {
   using Matrix = Eigen::Matrix<Entry, Eigen::Dynamic, Eigen::Dynamic>;
   using Block = Eigen::Map<Matrix, 0, Eigen::OuterStride<>>;
 
-  // `slots`: scratch, the slot of each row of the front.
+  // Whether all pivots of a front are positive. `slots`: scratch.
   bool eliminate(int number, std::vector<int>& slots) {
     const auto f = static_cast<std::size_t>(number);
     const Front& front = tree_->fronts[f];
-    const Index w = front.columns, m = static_cast<Index>(front.rows.size()), height = w + m;
+    const Index w = front.columns, m = static_cast<Index>(front.rows.size());
     Entry* const columns = factor_->entries.get() + factor_->start[f];
     updates_[f] = std::make_unique_for_overwrite<Entry[]>(static_cast<std::size_t>(m * m));
-    Entry* const update = updates_[f].get();
+    assemble(f, columns, updates_[f].get(), slots);
+    return eliminate_columns(w, m, columns, updates_[f].get());
+  }
 
+  // The matrix in the columns of a front and what its children leave. `slots`: of each of its rows.
+  void assemble(std::size_t f, Entry* columns, Entry* update, std::vector<int>& slots) {
+    const Front& front = tree_->fronts[f];
+    const Index w = front.columns, m = static_cast<Index>(front.rows.size()), height = w + m;
     for (Index c = 0; c < w; ++c) {
       slots[static_cast<std::size_t>(front.first_column + c)] = static_cast<int>(c);
     }
@@ -106,7 +112,11 @@ class Elimination {
     for (const int child : tree_->children[f]) {
       take_in(static_cast<std::size_t>(child), slots, w, m, columns, update);
     }
+  }
 
+  // Of a front with w columns and m rows below them; `update` becomes what is left for its parent.
+  static bool eliminate_columns(Index w, Index m, Entry* columns, Entry* update) {
+    const Index height = w + m;
     for (Index k = 0; k < w; k += block_columns) {
       const Index b = std::min(block_columns, w - k), rest = height - k - b;
       const Eigen::OuterStride<> stride(height);

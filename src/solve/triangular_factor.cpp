@@ -62,7 +62,6 @@ TriangularFactor<Entry>::TriangularFactor(EliminationTree tree, FrontColumns<Ent
     : fronts_(std::move(tree.fronts)), factor_(std::move(factor)) {
   const auto unknowns = static_cast<Index>(tree.order.size());
   inverse_diagonal_.resize(unknowns);
-  shared_ = factor_.size() > 10 * shared_entries;
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
     const Front& front = fronts_[f];
     const Index height = front.columns + static_cast<Index>(front.rows.size());
@@ -105,7 +104,7 @@ template <class Entry>
 void TriangularFactor<Entry>::solve(Eigen::VectorXd& v) {
   values_.head(v.size()) = v;
   values_.tail(values_.size() - v.size()).setZero();
-  for_each_tile(static_cast<Index>(subtrees_.size()), 1, shared_,
+  for_each_tile(static_cast<Index>(subtrees_.size()), 1, is_large(),
                 [&](Index t, Index) { forward(subtrees_[static_cast<std::size_t>(t)]); });
   for (const Part& part : subtrees_) {
     const double* copy = values_.data() + part.copy;
@@ -123,20 +122,36 @@ void TriangularFactor<Entry>::solve_transposed(Eigen::VectorXd& v) {
     double* copy = values_.data() + part.copy;
     for (const int row : part.rows_outside) *copy++ = values_[row];
   }
-  for_each_tile(static_cast<Index>(subtrees_.size()), 1, shared_,
+  for_each_tile(static_cast<Index>(subtrees_.size()), 1, is_large(),
                 [&](Index t, Index) { backward(subtrees_[static_cast<std::size_t>(t)]); });
   v = values_.head(v.size());
+}
+
+// Whether there is enough to do for more than one thread.
+template <class Entry>
+bool TriangularFactor<Entry>::is_large() const {
+  return factor_.size() > 10 * shared_entries;
+}
+
+template <class Entry>
+auto TriangularFactor<Entry>::columns_of(int number, const Part& part) -> Columns {
+  const auto f = static_cast<std::size_t>(number);
+  const Front& front = fronts_[f];
+  const Index w = front.columns, m = static_cast<Index>(front.rows.size());
+  return {w,
+          m,
+          w + m,
+          factor_.entries.get() + factor_.start[f],
+          values_.data() + front.first_column,
+          inverse_diagonal_.data() + front.first_column,
+          front.rows.data(),
+          &part == &top_ && m * w > shared_entries};
 }
 
 template <class Entry>
 void TriangularFactor<Entry>::forward(Part& part) {
   for (const int number : part.fronts) {
-    const auto f = static_cast<std::size_t>(number);
-    const Front& front = fronts_[f];
-    const Index w = front.columns, m = static_cast<Index>(front.rows.size()), height = w + m;
-    const Entry* const columns = factor_.entries.get() + factor_.start[f];
-    double* const x = values_.data() + front.first_column;
-    const double* const inverse = inverse_diagonal_.data() + front.first_column;
+    const auto [w, m, height, columns, x, inverse, row, shared] = columns_of(number, part);
     for (Index start = 0; start < w; start += panel_columns) {
       const Index end = std::min(start + panel_columns, w);
       for (Index c = start; c < end; ++c) {
@@ -151,34 +166,27 @@ void TriangularFactor<Entry>::forward(Part& part) {
     }
     double* const below = part.work.data();
     std::fill_n(below, m, 0.0);
-    for_each_tile(m, row_tile, &part == &top_ && m * w > shared_entries,
-                  [&](Index start, Index end) {
-                    by_four(0, w, [&]<int K>(Index c) {
-                      const Entry* const block = columns + c * height + w + start;
-                      subtract_columns<K>(block, height, end - start, x + c, below + start);
-                    });
-                  });
-    for (Index r = 0; r < m; ++r) values_[front.rows[static_cast<std::size_t>(r)]] += below[r];
+    for_each_tile(m, row_tile, shared, [&](Index start, Index end) {
+      by_four(0, w, [&]<int K>(Index c) {
+        const Entry* const block = columns + c * height + w + start;
+        subtract_columns<K>(block, height, end - start, x + c, below + start);
+      });
+    });
+    for (Index r = 0; r < m; ++r) values_[row[r]] += below[r];
   }
 }
 
 template <class Entry>
 void TriangularFactor<Entry>::backward(Part& part) {
   for (auto number = part.fronts.rbegin(); number != part.fronts.rend(); ++number) {
-    const auto f = static_cast<std::size_t>(*number);
-    const Front& front = fronts_[f];
-    const Index w = front.columns, m = static_cast<Index>(front.rows.size()), height = w + m;
-    const Entry* const columns = factor_.entries.get() + factor_.start[f];
-    double* const x = values_.data() + front.first_column;
-    const double* const inverse = inverse_diagonal_.data() + front.first_column;
+    const auto [w, m, height, columns, x, inverse, row, shared] = columns_of(*number, part);
     double* const below = part.work.data();
-    for (Index r = 0; r < m; ++r) below[r] = values_[front.rows[static_cast<std::size_t>(r)]];
-    for_each_tile(w, column_tile, &part == &top_ && m * w > shared_entries,
-                  [&](Index first, Index last) {
-                    by_four(first, last, [&]<int K>(Index c) {
-                      subtract_products<K>(columns + c * height + w, height, m, below, x + c);
-                    });
-                  });
+    for (Index r = 0; r < m; ++r) below[r] = values_[row[r]];
+    for_each_tile(w, column_tile, shared, [&](Index first, Index last) {
+      by_four(first, last, [&]<int K>(Index c) {
+        subtract_products<K>(columns + c * height + w, height, m, below, x + c);
+      });
+    });
     const Index panels = (w + panel_columns - 1) / panel_columns;
     for (Index panel = panels; panel-- > 0;) {
       const Index start = panel * panel_columns, end = std::min(start + panel_columns, w);

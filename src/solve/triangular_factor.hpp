@@ -26,6 +26,17 @@ class TriangularFactor {
     Index copy = 0;                 // where its own copy of them starts
     std::vector<double> work;       // as many as a front of it has rows
   };
+  // A front as its solves see it.
+  struct Columns {
+    Index w, m, height;  // columns, rows below them, both
+    const Entry* entry;  // of the first column, at its diagonal
+    double* x;           // the unknowns of the columns
+    const double* inverse;
+    const int* row;  // places of the rows below
+    bool shared;     // whether threads may take parts of it
+  };
+  Columns columns_of(int front, const Part& part);
+  bool is_large() const;
   void forward(Part& part);
   void backward(Part& part);
 
@@ -33,7 +44,6 @@ class TriangularFactor {
   FrontColumns<Entry> factor_;
   std::vector<Part> subtrees_;
   Part top_;
-  bool shared_;  // whether there is enough to do for more than one thread
   Eigen::VectorXd inverse_diagonal_;
   Eigen::VectorXd values_;  // the unknowns, then the copies of the subtrees
 };

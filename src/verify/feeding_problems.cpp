@@ -14,7 +14,7 @@ std::vector<KnownProblem> feeding_problems() {
   scenario.stop = {};
   scenario.stop.length = 110;  // before the second contact with the wall
   const double bend = stiffness(scenario.wire).bend;
-  const double unit = bend / (scenario.cavity.radius * scenario.cavity.radius);
+  const double unit = force_unit(scenario);
   const FedElastica wire{scenario.cavity.radius - scenario.wire.radius, bend};
 
   double before_contact = 0;

@@ -14,8 +14,8 @@
 
 namespace wirepack {
 
-/// Density at which the mean force over an edge length first went through a level; phi_max at any threshold can be read off
-/// afterwards. Levels are decades and half-decades (1, sqrt(10), 10, ...).
+/// Density at which the mean force over an edge length first went through a level; phi_max at any
+/// threshold can be read off afterwards. Levels are decades and half-decades (1, sqrt(10), 10, ...).
 struct ForceCrossing {
   double level;
   double packing_density;

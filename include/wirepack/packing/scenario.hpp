@@ -90,6 +90,14 @@ std::vector<std::string> problems(const Scenario& scenario);
 /// Throws InvalidInput with all problems, a line each, unless there are none.
 void require_valid(const Scenario& scenario);
 
+/// YI / R^2 and Y a^2: forces over them are what stop.scaled_force and stop.force mean.
+inline double force_unit(const Scenario& scenario) {
+  return stiffness(scenario.wire).bend / (scenario.cavity.radius * scenario.cavity.radius);
+}
+inline double absolute_force_unit(const Scenario& scenario) {
+  return scenario.wire.youngs_modulus * scenario.wire.radius * scenario.wire.radius;
+}
+
 /// Inserted length by which a first coil has formed; until then the straight wire is perturbed.
 inline double first_coil_length(const SphericalCavity& cavity) {
   return 2 * (1 + pi) * cavity.radius;

@@ -30,8 +30,8 @@ void for_each_allowed_pair(const RodState& state, Index separation, F&& f) {
   }
 }
 
-// All pairs whose lines, extended by one edge to both sides, are nearer than the touching distance.
-std::vector<EdgePair> touching_by_brute_force(const RodState& state) {
+// All pairs whose lines, extended by one edge to both sides, are nearer than this.
+std::vector<EdgePair> near_by_brute_force(const RodState& state, double distance) {
   const auto point = [&](Index j, double s) -> Vec3 {
     const Vec3 a = state.nodes.col(j), b = state.nodes.col(next_node(state, j));
     return (a + b) / 2 + s * (b - a);
@@ -39,7 +39,7 @@ std::vector<EdgePair> touching_by_brute_force(const RodState& state) {
   std::vector<EdgePair> pairs;
   for_each_allowed_pair(state, first_touching_neighbor(range), [&](Index i, Index j) {
     if (squared_segment_distance(point(i, -1.5), point(i, 1.5), point(j, -1.5), point(j, 1.5)) <
-        range.touching_distance * range.touching_distance) {
+        distance * distance) {
       pairs.push_back({i, j});
     }
   });
@@ -59,10 +59,10 @@ RodState crowd(Index nodes, double radius, RodEnds ends, std::uint64_t seed) {
   return make_rod(points, RodParams{}, ends);
 }
 
-TEST(NeighborList, HoldsAllTouchingPairsForAsLongAsItCoversTheState) {
-  for (const bool closed : {false, true}) {
+TEST(NeighborList, HoldsAllPairsWithinItsMarginForAsLongAsItCoversTheState) {
+  for (const auto& [closed, margin] : {std::pair{false, 0.0}, {true, 0.0}, {false, 0.5}}) {
     for (std::uint64_t seed = 1; seed < 6; ++seed) {
-      const double skin = 1;
+      const double skin = 1 + margin;
       const RodState start = crowd(200, 6, {.closed = closed}, seed);
       const NeighborList list(start, range, skin);
       Random random(seed + 100);
@@ -71,14 +71,14 @@ TEST(NeighborList, HoldsAllTouchingPairsForAsLongAsItCoversTheState) {
       for (double size : {0.0, 0.05, 0.09, 0.095, 0.2}) {
         RodState moved = start;
         for (auto&& node : moved.nodes.colwise()) node += size * random_vector(random);
-        if (!list.covers(moved)) continue;
+        if (!list.covers(moved, margin)) continue;
         ++covered;
-        for (const EdgePair& pair : touching_by_brute_force(moved)) {
+        for (const EdgePair& pair : near_by_brute_force(moved, range.touching_distance + margin)) {
           ++touching;
           EXPECT_TRUE(contains(list.pairs(), pair.first, pair.second)) << pair.first;
         }
       }
-      EXPECT_GE(covered, 4);      // skin / 6 = 0.17 >= 0.095 sqrt(3)
+      EXPECT_GE(covered, 4);      // (skin - margin) / 6 = 0.17 >= 0.095 sqrt(3)
       EXPECT_LE(covered, 4);      // and 0.2 is too far for one of 200 nodes
       EXPECT_GT(touching, 100U);  // the check has something to find
     }
@@ -115,6 +115,9 @@ TEST(NeighborList, CoversEveryNodeAndNoOtherNumberOfNodes) {
   EXPECT_TRUE(list.covers(state));
   state.nodes.col(49).x() += 0.002;
   EXPECT_FALSE(list.covers(state));
+  state.nodes.col(49).x() -= 0.002;
+  EXPECT_TRUE(list.covers(state, 0.003));  // 0.149 <= (0.6 - 0.003) / 4 = 0.14925
+  EXPECT_FALSE(list.covers(state, 0.005));
   EXPECT_FALSE(list.covers(crowd(51, 6, {}, 9)));
   EXPECT_FALSE(NeighborList().covers(state));
 }

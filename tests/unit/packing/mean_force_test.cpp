@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "wirepack/core/types.hpp"
+#include "wirepack/packing/observation.hpp"
+#include "wirepack/packing/stop_rule.hpp"
 
 namespace wirepack {
 namespace {
@@ -48,6 +50,29 @@ TEST(MeanForce, IsNotKnownBeforeAnEdgeLengthHasBeenFed) {
   EXPECT_FALSE(mean_force(2, {}));
   EXPECT_FALSE(mean_force(2, readings(0.5, 2, 2, one)));
   EXPECT_NEAR(mean_force(2, readings(0.5, 2.5, 2, one)).value(), 1, 1e-12);
+}
+
+// A single peak of the ripple is no limit, its mean is.
+TEST(MeanForce, IsWhatLimitsOfTheForceAndCrossingsAskFor) {
+  Scenario scenario = default_scenario(Setup::low_torsion, {10});
+  scenario.stop = {};
+  scenario.stop.scaled_force = 10;
+  const auto run = [&](double mean) {
+    PackingProgress progress;
+    std::optional<StopReason> reason;
+    for (int k = 1; k <= 12 && !reason; ++k) {
+      const double ripple = k % 2 == 0 ? 4 : -4;  // two increments an edge
+      progress.last.inserted_length = k * scenario.wire.edge_length / 2;
+      progress.last.force = (mean + ripple) * force_unit(scenario);
+      note_force(scenario, progress);
+      reason = reached_limit(scenario, progress);
+    }
+    EXPECT_NEAR(progress.scaled_crossings.back().level,
+                std::pow(10, std::floor(2 * std::log10(mean)) / 2), 1e-12);
+    return reason;
+  };
+  EXPECT_FALSE(run(9.5));
+  EXPECT_EQ(run(10.5), StopReason::scaled_force);
 }
 
 }  // namespace
