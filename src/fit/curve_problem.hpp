@@ -4,7 +4,7 @@
 #include "wirepack/fit/darboux_curve.hpp"
 #include "wirepack/fit/measured_points.hpp"
 
-#include "starting_values.hpp"
+#include "fit_start.hpp"
 
 namespace wirepack {
 

@@ -1,8 +1,6 @@
 #include "wirepack/fit/shape_fit.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -11,9 +9,13 @@
 
 #include "wirepack/core/error.hpp"
 
+#include "block_means.hpp"
 #include "curve_problem.hpp"
+#include "fit_uncertainty.hpp"
+#include "helix_starts.hpp"
 #include "point_order.hpp"
-#include "starting_values.hpp"
+#include "shape_numbers.hpp"
+#include "spline_start.hpp"
 
 namespace wirepack {
 
@@ -21,7 +23,6 @@ namespace {
 
 constexpr Index most_trial_points = 200;  // on which starts compete
 constexpr Index most_intervals = 96;
-constexpr double straight_significance = 11.8;  // chi^2 of two numbers, as rare as three sigma
 
 /// Points about their middle, in units of their extent: then all unknowns are of order 1.
 struct Scaled {
@@ -152,15 +153,6 @@ Index chosen_intervals(const MeasuredPoints& points) {
   return best;
 }
 
-// Distances, over the sigmas where there are any, are scattered about zero like this.
-double robust_scale(const CurveSolution& solution) {
-  std::vector<double> sizes(solution.weighted_distance.data(),
-                            solution.weighted_distance.data() + solution.weighted_distance.size());
-  std::nth_element(sizes.begin(), sizes.begin() + std::ssize(sizes) / 2, sizes.end());
-  // medians of |r| for normal r in two and in three dimensions
-  return sizes[sizes.size() / 2] / (solution.rows == 2 ? 1.17741 : 1.53817);
-}
-
 CurveSolution refined(const MeasuredPoints& points, CurveSolution solution, bool robust) {
   if (!robust) return solution;
   for (int round = 0; round < 3; ++round) {
@@ -169,150 +161,6 @@ CurveSolution refined(const MeasuredPoints& points, CurveSolution solution, bool
     solution = solve_curve(points, continued(solution), 2 * scale);
   }
   return solution;
-}
-
-/// Covariance of the unknowns (with those of the pose), and what of them the points do not tell.
-struct Uncertainty {
-  Eigen::MatrixXd covariance;
-  Eigen::MatrixXd unknown_directions;
-  Index rank, unknowns, degrees_of_freedom;
-  double noise;
-};
-
-Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& solution) {
-  const Index size = solution.jacobian.cols();
-  std::vector<Index> free;
-  for (Index i = 0; i < size; ++i) {
-    if (i != DarbouxCurve::shift_along || solution.rows == 3) free.push_back(i);
-  }
-  const Eigen::MatrixXd jacobian = solution.jacobian(Eigen::all, free);
-  // R of a QR decomposition has the singular values of the Jacobian and few rows.
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
-  const Eigen::MatrixXd r = qr.matrixR().topRows(jacobian.cols()).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(r, Eigen::ComputeFullV);
-  const Eigen::MatrixXd directions = qr.colsPermutation() * svd.matrixV();
-  const Eigen::VectorXd& values = svd.singularValues();
-  Uncertainty result;
-  result.unknowns = jacobian.cols();
-  result.rank = (values.array() > 1e-9 * values[0]).count();
-  result.degrees_of_freedom = jacobian.rows() - result.rank;
-  // Huber's proposal: variance of the bounded residuals over the square of their mean derivative,
-  // which are the sum of squares and 1 without a bound.
-  double squares = 0, derivative = 0;
-  for (const double r2 : solution.weighted_distance) {
-    const bool far = solution.huber > 0 && r2 > solution.huber;
-    squares += far ? solution.huber * solution.huber : r2 * r2;
-    derivative += far ? solution.huber / r2 * (1 - 1.0 / static_cast<double>(solution.rows)) : 1;
-  }
-  derivative /= static_cast<double>(points.count());
-  const double rounding = 1e-16;  // of points in units of their extent
-  const double variance = squares /
-                          static_cast<double>(std::max<Index>(result.degrees_of_freedom, 1)) /
-                          (derivative * derivative);
-  const bool given = points.sigma.size() > 0;
-  result.noise = given ? std::sqrt(variance) : std::max(std::sqrt(variance), rounding);
-  const double scale = given && !(solution.huber > 0) ? 1 : result.noise;
-  const Index kept = result.rank;
-  const Eigen::MatrixXd half =
-      directions.leftCols(kept) * values.head(kept).cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd of_free = scale * scale * (half * half.transpose());
-  result.covariance = Eigen::MatrixXd::Zero(size, size);
-  result.covariance(free, free) = of_free;
-  result.unknown_directions = Eigen::MatrixXd::Zero(size, result.unknowns - kept);
-  result.unknown_directions(free, Eigen::all) = directions.rightCols(result.unknowns - kept);
-  return result;
-}
-
-/// Numbers of a shape as functions of the unknowns: curvature, torsion[, radius, pitch].
-Eigen::VectorXd shape_numbers(ShapeModel model, const DarbouxCurve& curve,
-                              const Eigen::VectorXd& unknowns, double first, double last) {
-  if (model != ShapeModel::spline) {
-    const Vec3 k = curve.basis().darboux(unknowns, 0);
-    const double curvature = k.head<2>().norm(), torsion = k.z();
-    const double rate2 = curvature * curvature + torsion * torsion;
-    return Eigen::Vector4d(curvature, torsion, curvature / rate2, 2 * pi * torsion / rate2);
-  }
-  // Means along the wire. In frames without twist, torsion is the rate at which the direction of
-  // bending turns.
-  const Index parts = 32 * curve.basis().intervals;
-  const double step = (last - first) / static_cast<double>(parts);
-  double curvature = 0, turn = 0;
-  Vec3 before = curve.basis().darboux(unknowns, first);
-  for (Index i = 0; i < parts; ++i) {
-    const double arc = first + step * static_cast<double>(i);
-    curvature += curve.basis().darboux(unknowns, arc + step / 2).norm();
-    const Vec3 after = curve.basis().darboux(unknowns, arc + step);
-    turn += std::atan2(before.cross(after).z(), before.dot(after));
-    before = after;
-  }
-  return Eigen::Vector2d(curvature / static_cast<double>(parts), turn / (last - first));
-}
-
-// The curvature differs from 0 by more than its errors, all along the curve.
-bool is_bent(const CurveSolution& solution, const Uncertainty& uncertainty, double first,
-             double last) {
-  const DarbouxBasis& basis = solution.curve.basis();
-  const Index samples = basis.intervals > 0 ? 4 * basis.intervals + 1 : 1;
-  for (Index i = 0; i < samples; ++i) {
-    const double arc = samples > 1 ? first + (last - first) * static_cast<double>(i) /
-                                                 static_cast<double>(samples - 1)
-                                   : 0;
-    Eigen::Matrix2Xd rows = Eigen::Matrix2Xd::Zero(2, solution.curve.size());
-    for (const auto& w : basis.weights(arc)) {
-      if (w.component < 2) rows(w.component, DarbouxCurve::pose_size + w.unknown) = w.value;
-    }
-    const Eigen::Vector2d k = rows * solution.curve.unknowns();
-    const Eigen::Matrix2d covariance = rows * uncertainty.covariance * rows.transpose();
-    if (!(k.norm() > 1e-9)) return false;
-    if (!(k.dot(covariance.fullPivLu().solve(k)) > straight_significance)) return false;
-  }
-  return true;
-}
-
-void fill_numbers(const CurveSolution& solution, const Uncertainty& uncertainty, double first,
-                  double last, double unit, ShapeFit& fit) {
-  const Eigen::VectorXd& unknowns = solution.curve.unknowns();
-  const Eigen::VectorXd values = shape_numbers(fit.model, solution.curve, unknowns, first, last);
-  const bool bent = is_bent(solution, uncertainty, first, last);
-  const Index count = values.size();
-  Eigen::MatrixXd by_unknown = Eigen::MatrixXd::Zero(count, unknowns.size());
-  for (Index i = DarbouxCurve::pose_size; i < unknowns.size(); ++i) {
-    const double h = 1e-5 * std::max(1e-3, unknowns.tail(solution.curve.basis().size()).norm());
-    Eigen::VectorXd up = unknowns, down = unknowns;
-    up[i] += h;
-    down[i] -= h;
-    by_unknown.col(i) = (shape_numbers(fit.model, solution.curve, up, first, last) -
-                         shape_numbers(fit.model, solution.curve, down, first, last)) /
-                        (2 * h);
-  }
-  Eigen::MatrixXd covariance = by_unknown * uncertainty.covariance * by_unknown.transpose();
-  const std::array<const char*, 4> names{"curvature", "torsion", "radius", "pitch"};
-  const std::array<double, 4> units{1 / unit, 1 / unit, unit, unit};
-  std::vector<bool> counts;
-  for (Index i = 0; i < count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    ShapeNumber number{names[k], values[i] * units[k], std::sqrt(covariance(i, i)) * units[k]};
-    number.fixed = fit.model == ShapeModel::circle && (i == 1 || i == 3);
-    const bool hidden = uncertainty.unknown_directions.cols() > 0 &&
-                        (by_unknown.row(i) * uncertainty.unknown_directions).norm() >
-                            1e-6 * by_unknown.row(i).norm();
-    number.determined = number.fixed || (!hidden && (bent || i == 0));
-    if (i == 0 && !bent && fit.model != ShapeModel::spline) {
-      // the length of (k1, k2) has no derivative at 0; either component has this error
-      const auto block =
-          uncertainty.covariance.block<2, 2>(DarbouxCurve::pose_size, DarbouxCurve::pose_size);
-      number.standard_error = std::sqrt(block.trace() / 2) * units[k];
-    }
-    counts.push_back(number.determined && !number.fixed);
-    fit.numbers.push_back(number);
-  }
-  fit.correlation = Eigen::MatrixXd::Zero(count, count);
-  for (Index i = 0; i < count; ++i) {
-    for (Index j = 0; j < count; ++j) {
-      if (!counts[static_cast<std::size_t>(i)] || !counts[static_cast<std::size_t>(j)]) continue;
-      fit.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
-    }
-  }
 }
 
 // k0 as a table: of a constant one with bending about d2 alone, as for a wire of that precurvature.
@@ -361,7 +209,9 @@ ShapeFit result_of(const Scaled& scale, const CurveSolution& solution, const Fit
   fit.rank = uncertainty.rank;
   fit.unknowns = uncertainty.unknowns;
   fit.degrees_of_freedom = uncertainty.degrees_of_freedom;
-  fill_numbers(solution, uncertainty, first, last, unit, fit);
+  const ShapeNumbers found = shape_numbers(fit.model, solution, uncertainty, first, last, unit);
+  fit.numbers = found.numbers;
+  fit.correlation = found.correlation;
   fit.length = (last - first) * unit;
   fit.shape.table = table_of(solution, fit, first, last, unit);
   fit.arc = (solution.feet.array() - first) * unit;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "wirepack/contact/segment_distance.hpp"
+#include "wirepack/energy/self_contact_energy.hpp"
 
 #include "../../support/sample_rods.hpp"
 #include "../../support/strands.hpp"
@@ -120,6 +121,18 @@ TEST(NeighborList, CoversEveryNodeAndNoOtherNumberOfNodes) {
   EXPECT_FALSE(list.covers(state, 0.005));
   EXPECT_FALSE(list.covers(crowd(51, 6, {}, 9)));
   EXPECT_FALSE(NeighborList().covers(state));
+}
+
+TEST(NeighborList, OfAContactTermServesAgainWhereAStepIsTakenBack) {
+  const RodParams params;
+  SelfContactEnergy contact(params, ContactParams{});
+  const RodState start = crowd(100, 6, {}, 3);
+  RodState far = start;
+  far.nodes.col(50).x() += 2;
+  EXPECT_TRUE(contact.prepare(start));
+  EXPECT_TRUE(contact.prepare(far));
+  EXPECT_FALSE(contact.prepare(start));
+  EXPECT_FALSE(contact.prepare(far));
 }
 
 void expect_all_near_edges(const RodState& state, double reach) {

@@ -3,33 +3,11 @@
 #include <vector>
 
 #include "wirepack/core/types.hpp"
-#include "wirepack/fit/darboux_curve.hpp"
 #include "wirepack/fit/measured_points.hpp"
 
+#include "fit_start.hpp"
+
 namespace wirepack {
-
-/// Where a fit begins: a curve and the arc of each point's foot on it.
-struct FitStart {
-  DarbouxBasis basis;
-  DarbouxCurve::Pose pose;         ///< at the middle of the basis
-  Eigen::VectorXd shape_unknowns;  ///< of the basis
-  Eigen::VectorXd feet;            ///< N
-};
-
-/// Means of runs of successive points: less scatter, and an order that it does not disturb.
-struct BlockMeans {
-  MeasuredPoints points;        ///< at most most_block_means; as many as there are of fewer points
-  std::vector<Index> of_point;  ///< the mean that each point is in
-};
-constexpr Index most_block_means = 600;
-BlockMeans block_means(const MeasuredPoints& points);
-
-/// The algebraic circle (Taubin 1991) in the plane of the points, or a straight line.
-FitStart circle_start(const MeasuredPoints& points);
-
-/// Helices around several possible axes, with the circle, and the circle with some torsion of either
-/// hand for short arcs; one of them is near the best fit.
-std::vector<FitStart> helix_starts(const MeasuredPoints& points);
 
 /// A smooth curve through ordered points: position as a cubic B-spline of the arc, with as many
 /// intervals as Schwarz's criterion wants. Only a start, as its curvature is biased where the wire

@@ -1,0 +1,30 @@
+#include "block_means.hpp"
+
+#include <algorithm>
+
+namespace wirepack {
+
+BlockMeans block_means(const MeasuredPoints& points) {
+  const Index n = points.count(), count = std::min(n, most_block_means);
+  BlockMeans result;
+  MeasuredPoints& means = result.points;
+  means.ordered = points.ordered;
+  means.position = Points::Zero(3, count);
+  if (points.arc.size() > 0) means.arc = Eigen::VectorXd::Zero(count);
+  if (points.sigma.size() > 0) means.sigma = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd members = Eigen::VectorXd::Zero(count);
+  for (Index i = 0; i < n; ++i) {
+    const Index b = i * count / n;
+    result.of_point.push_back(b);
+    means.position.col(b) += points.position.col(i);
+    if (points.arc.size() > 0) means.arc[b] += points.arc[i];
+    if (points.sigma.size() > 0) means.sigma[b] += points.sigma[i] * points.sigma[i];
+    members[b] += 1;
+  }
+  for (Index b = 0; b < count; ++b) means.position.col(b) /= members[b];
+  if (points.arc.size() > 0) means.arc = means.arc.cwiseQuotient(members);
+  if (points.sigma.size() > 0) means.sigma = means.sigma.cwiseSqrt().cwiseQuotient(members);
+  return result;
+}
+
+}  // namespace wirepack
