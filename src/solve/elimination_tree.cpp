@@ -13,8 +13,8 @@ using List = std::vector<int>;
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-// A graph by the neighbors of each vertex, itself among them (Eigen's ordering wants it): those of v are
-// list[start[v]] ... list[start[v + 1] - 1].
+// A graph by the neighbors of each vertex, itself among them and sorted (Eigen's ordering wants both):
+// those of v are list[start[v]] ... list[start[v + 1] - 1].
 struct Graph {
   List start, list;
 
@@ -49,6 +49,7 @@ Graph group_graph(const Eigen::SparseMatrix<double>& lower, const List& starts) 
   }
   const auto for_each_edge = [&](auto&& f) {
     for (int g = 0; g < groups; ++g) {
+      f(g, g);
       int last = g;
       for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, starts[at(g)]); entry; ++entry) {
         const int other = group_of[at(static_cast<int>(entry.row()))];
@@ -59,19 +60,17 @@ Graph group_graph(const Eigen::SparseMatrix<double>& lower, const List& starts) 
     }
   };
   Graph graph;
-  graph.start.assign(at(groups) + 1, 1);
-  graph.start[0] = 0;
+  graph.start.assign(at(groups) + 1, 0);
   for_each_edge([&](int a, int b) {
     ++graph.start[at(a) + 1];
-    ++graph.start[at(b) + 1];
+    if (b != a) ++graph.start[at(b) + 1];
   });
   std::partial_sum(graph.start.begin(), graph.start.end(), graph.start.begin());
   graph.list.resize(at(graph.start.back()));
   List next(graph.start.begin(), graph.start.end() - 1);
-  for (int g = 0; g < groups; ++g) graph.list[at(next[at(g)]++)] = g;
   for_each_edge([&](int a, int b) {
     graph.list[at(next[at(a)]++)] = b;
-    graph.list[at(next[at(b)]++)] = a;
+    if (b != a) graph.list[at(next[at(b)]++)] = a;
   });
   return graph;
 }

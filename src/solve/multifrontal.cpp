@@ -15,6 +15,8 @@ namespace {
 // fixed, as the sums of a product depend on its size.
 constexpr Index block_columns = 48;
 constexpr Index tile = 96;
+// Memory is Eigen's throughout, for it is aligned: small products of Eigen start their lanes at an aligned
+// place, so that their rounding would depend on where the heap had room.
 
 // The lower triangle of the matrix in the order of elimination; rows of a column are not sorted.
 struct OrderedLower {
@@ -54,8 +56,7 @@ OrderedLower in_order(const Eigen::SparseMatrix<double>& lower, const std::vecto
 template <class Entry>
 class Elimination {
  public:
-  Elimination(const EliminationTree& tree, const OrderedLower& lower,
-              const FrontColumns<Entry>& factor)
+  Elimination(const EliminationTree& tree, const OrderedLower& lower, FrontColumns<Entry>& factor)
       : tree_(&tree), lower_(&lower), factor_(&factor), updates_(tree.fronts.size()) {}
 
   // Whether all pivots are positive.
@@ -82,10 +83,10 @@ class Elimination {
     const auto f = static_cast<std::size_t>(number);
     const Front& front = tree_->fronts[f];
     const Index w = front.columns, m = static_cast<Index>(front.rows.size());
-    Entry* const columns = factor_->entries.get() + factor_->start[f];
-    updates_[f] = std::make_unique_for_overwrite<Entry[]>(static_cast<std::size_t>(m * m));
-    assemble(f, columns, updates_[f].get(), slots);
-    return eliminate_columns(w, m, columns, updates_[f].get());
+    Entry* const columns = factor_->entries.data() + factor_->start[f];
+    updates_[f].resize(m, m);
+    assemble(f, columns, updates_[f].data(), slots);
+    return eliminate_columns(w, m, columns, updates_[f]);
   }
 
   // The matrix in the columns of a front and what its children leave. `slots`: of each of its rows.
@@ -115,7 +116,7 @@ class Elimination {
   }
 
   // Of a front with w columns and m rows below them; `update` becomes what is left for its parent.
-  static bool eliminate_columns(Index w, Index m, Entry* columns, Entry* update) {
+  static bool eliminate_columns(Index w, Index m, Entry* columns, Matrix& update) {
     const Index height = w + m;
     for (Index k = 0; k < w; k += block_columns) {
       const Index b = std::min(block_columns, w - k), rest = height - k - b;
@@ -138,9 +139,8 @@ class Elimination {
       });
     }
     const Block below(columns + w, m, w, Eigen::OuterStride<>(height));
-    Block left(update, m, m, Eigen::OuterStride<>(m));
     for_each_tile(m, m > 4 * tile ? tile : tile / 2, m > 2 * tile, [&](Index start, Index end) {
-      left.block(start, start, m - start, end - start).noalias() -=
+      update.block(start, start, m - start, end - start).noalias() -=
           below.bottomRows(m - start) * below.middleRows(start, end - start).transpose();
     });
     return true;
@@ -153,7 +153,7 @@ class Elimination {
     std::transform(rows.begin(), rows.end(), slot_of.begin(),
                    [&](int row) { return slots[static_cast<std::size_t>(row)]; });
     const auto size = static_cast<Index>(rows.size());
-    const Entry* const from = updates_[child].get();
+    const Entry* const from = updates_[child].data();
     const int* const slot = slot_of.data();
     for_each_tile(size, tile, size > 2 * tile, [&](Index start, Index end) {
       for (Index c = start; c < end; ++c) {
@@ -162,32 +162,34 @@ class Elimination {
         for (Index r = c; r < size; ++r) to[slot[r]] += from[c * size + r];
       }
     });
-    updates_[child].reset();
+    updates_[child].resize(0, 0);
   }
 
   const EliminationTree* tree_;
   const OrderedLower* lower_;
-  const FrontColumns<Entry>* factor_;
-  std::vector<std::unique_ptr<Entry[]>> updates_;  // of each front, square, lower triangle
+  FrontColumns<Entry>* factor_;
+  std::vector<Matrix> updates_;  // of each front, lower triangles
 };
 
 }  // namespace
 
 template <class Entry>
-FrontColumns<Entry> factored(const EliminationTree& tree,
-                             const Eigen::SparseMatrix<double>& lower) {
-  FrontColumns<Entry> factor{{0}, nullptr};
+std::optional<FrontColumns<Entry>> factored(const EliminationTree& tree,
+                                            const Eigen::SparseMatrix<double>& lower) {
+  FrontColumns<Entry> factor;
+  Index size = 0;
   for (const Front& front : tree.fronts) {
-    factor.start.push_back(factor.start.back() +
-                           static_cast<std::size_t>(front.columns) *
-                               (static_cast<std::size_t>(front.columns) + front.rows.size()));
+    factor.start.push_back(size);
+    size += front.columns * (front.columns + static_cast<Index>(front.rows.size()));
   }
-  factor.entries = std::make_unique_for_overwrite<Entry[]>(factor.start.back());
-  if (!Elimination<Entry>(tree, in_order(lower, tree.order), factor).run()) factor.entries.reset();
+  factor.entries.resize(size);
+  if (!Elimination<Entry>(tree, in_order(lower, tree.order), factor).run()) return std::nullopt;
   return factor;
 }
 
-template FrontColumns<float> factored(const EliminationTree&, const Eigen::SparseMatrix<double>&);
-template FrontColumns<double> factored(const EliminationTree&, const Eigen::SparseMatrix<double>&);
+template std::optional<FrontColumns<float>> factored(const EliminationTree&,
+                                                     const Eigen::SparseMatrix<double>&);
+template std::optional<FrontColumns<double>> factored(const EliminationTree&,
+                                                      const Eigen::SparseMatrix<double>&);
 
 }  // namespace wirepack

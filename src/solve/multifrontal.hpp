@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
-#include <memory>
+#include <optional>
 
 #include "elimination_tree.hpp"
 
@@ -11,21 +11,20 @@ namespace wirepack {
 /// for every column of the front (those above the diagonal mean nothing) and every row below.
 template <class Entry>
 struct FrontColumns {
-  std::vector<std::size_t> start;  ///< and, at last, the number of entries
-  std::unique_ptr<Entry[]> entries;
-
-  Index size() const { return static_cast<Index>(start.back()); }
+  std::vector<Index> start;
+  Eigen::Matrix<Entry, Eigen::Dynamic, 1> entries;
 };
 
 /// Multifrontal factorization (Duff and Reid 1983): each front takes in what its children leave for the
 /// rows below them, eliminates its columns and leaves the rest to its parent. Computed in Entry's
-/// precision; the same bits for any number of threads. No entries if a pivot is not positive.
+/// precision; the same bits for any number of threads. Nothing if a pivot is not positive.
 template <class Entry>
-FrontColumns<Entry> factored(const EliminationTree& tree, const Eigen::SparseMatrix<double>& lower);
+std::optional<FrontColumns<Entry>> factored(const EliminationTree& tree,
+                                            const Eigen::SparseMatrix<double>& lower);
 
-extern template FrontColumns<float> factored(const EliminationTree&,
-                                             const Eigen::SparseMatrix<double>&);
-extern template FrontColumns<double> factored(const EliminationTree&,
-                                              const Eigen::SparseMatrix<double>&);
+extern template std::optional<FrontColumns<float>> factored(const EliminationTree&,
+                                                            const Eigen::SparseMatrix<double>&);
+extern template std::optional<FrontColumns<double>> factored(const EliminationTree&,
+                                                             const Eigen::SparseMatrix<double>&);
 
 }  // namespace wirepack

@@ -37,10 +37,10 @@ std::optional<Preconditioner> Preconditioner::factored(const Eigen::SparseMatrix
     size += columns * ((columns + 1) / 2 + static_cast<double>(front.rows.size()));
   }
   const auto in = [&]<class Entry>(Entry) -> std::optional<Preconditioner> {
-    FrontColumns<Entry> columns = wirepack::factored<Entry>(tree, lower);
-    if (!columns.entries) return std::nullopt;
+    std::optional<FrontColumns<Entry>> columns = wirepack::factored<Entry>(tree, lower);
+    if (!columns) return std::nullopt;
     std::vector<int> order = tree.order;
-    TriangularFactor<Entry> triangle(std::move(tree), std::move(columns));
+    TriangularFactor<Entry> triangle(std::move(tree), std::move(*columns));
     return Preconditioner(std::make_unique<Factor>(
         Factor{std::move(order), std::move(triangle), size, Eigen::VectorXd(lower.rows())}));
   };

@@ -66,7 +66,7 @@ TriangularFactor<Entry>::TriangularFactor(EliminationTree tree, FrontColumns<Ent
     const Front& front = fronts_[f];
     const Index height = front.columns + static_cast<Index>(front.rows.size());
     for (Index c = 0; c < front.columns; ++c) {
-      const Entry* const diagonal = factor_.entries.get() + factor_.start[f] + c * (height + 1);
+      const Entry* const diagonal = factor_.entries.data() + factor_.start[f] + c * (height + 1);
       inverse_diagonal_[front.first_column + c] = 1 / static_cast<double>(*diagonal);
     }
   }
@@ -75,7 +75,7 @@ TriangularFactor<Entry>::TriangularFactor(EliminationTree tree, FrontColumns<Ent
     for (const int f : part.fronts) {
       most = std::max(most, fronts_[static_cast<std::size_t>(f)].rows.size());
     }
-    part.work.resize(most);
+    part.work.resize(static_cast<Index>(most));
   };
   top_.fronts = std::move(tree.top);
   set_work(top_);
@@ -130,7 +130,7 @@ void TriangularFactor<Entry>::solve_transposed(Eigen::VectorXd& v) {
 // Whether there is enough to do for more than one thread.
 template <class Entry>
 bool TriangularFactor<Entry>::is_large() const {
-  return factor_.size() > 10 * shared_entries;
+  return factor_.entries.size() > 10 * shared_entries;
 }
 
 template <class Entry>
@@ -141,7 +141,7 @@ auto TriangularFactor<Entry>::columns_of(int number, const Part& part) -> Column
   return {w,
           m,
           w + m,
-          factor_.entries.get() + factor_.start[f],
+          factor_.entries.data() + factor_.start[f],
           values_.data() + front.first_column,
           inverse_diagonal_.data() + front.first_column,
           front.rows.data(),

@@ -24,7 +24,7 @@ class TriangularFactor {
     std::vector<int> fronts;
     std::vector<int> rows_outside;  // of a subtree: those that its fronts share with fronts above
     Index copy = 0;                 // where its own copy of them starts
-    std::vector<double> work;       // as many as a front of it has rows
+    Eigen::VectorXd work;           // as many as a front of it has rows
   };
   // A front as its solves see it.
   struct Columns {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <map>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "wirepack/core/random.hpp"
 #include "wirepack/core/threads.hpp"
@@ -100,6 +102,25 @@ TEST(Preconditioner, NumberOfThreadsChangesNoBit) {
     }
   }
   use_threads(1);
+}
+
+// Where the heap has room differs between threads and between a run and its continuation.
+TEST(Preconditioner, PlaceInMemoryChangesNoBit) {
+  for (const auto& [nodes, contacts] : {std::pair<Index, Index>{400, 50}, {700, 4000}}) {
+    const Sparse lower = packing_matrix(nodes, contacts, 1e-3, 6);
+    const Eigen::VectorXd force = random_vector(lower.rows(), 1);
+    for (const double smallest : {1e-1, 1e-12}) {
+      const Eigen::VectorXd first = step_to_minimum(lower, smallest, force);
+      std::vector<std::unique_ptr<char[]>> in_the_way;
+      for (std::size_t k = 1; k <= 10; ++k) {
+        for (std::size_t i = 0; i < 200; ++i) {
+          in_the_way.push_back(std::make_unique<char[]>(16 * ((7 * i + k) % 50) + 24));
+        }
+        for (std::size_t i = k % 3; i < in_the_way.size(); i += 3) in_the_way[i].reset();
+        EXPECT_EQ(step_to_minimum(lower, smallest, force), first) << nodes << " nodes, " << k;
+      }
+    }
+  }
 }
 
 TEST(Preconditioner, MatrixThatIsNotPositiveDefiniteHasNone) {
