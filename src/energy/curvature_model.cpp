@@ -97,11 +97,35 @@ void CurvatureModel::add_node_block(Index node, const Mat3& value) {
   block(node, node).topLeftCorner<3, 3>() += value;
 }
 
+template <class F>
+void CurvatureModel::for_each_in_column(Index column, F&& f) const {
+  const auto take = [&](Index k) {
+    const Place& place = places_[static_cast<std::size_t>(k)];
+    if (place.row >= 0) f(place.row, blocks_[static_cast<std::size_t>(k)]);
+    return place.next;
+  };
+  Index next = -1;
+  for (Index k = 0; k < band; ++k) next = take(band * column + k);
+  while (next >= 0) next = take(next);
+}
+
 Eigen::SparseMatrix<double> CurvatureModel::lower_triangle(double shift) const {
   using Sparse = Eigen::SparseMatrix<double>;
   using Number = Sparse::StorageIndex;
   Sparse lower(chart_->size(), chart_->size());
-  lower.resizeNonZeros(16 * static_cast<Index>(blocks_.size()));
+  const auto free_slots = [&](Index b) {
+    Index count = 0;
+    for (int i = 0; i < 4; ++i) count += chart_->unknown(b, i) >= 0 ? 1 : 0;
+    return count;
+  };
+  Index entries = 0;
+  for (Index c = 0; c < chart_->block_count(); ++c) {
+    const Index n = free_slots(c);
+    for_each_in_column(c, [&](Index row, const Eigen::Matrix4d&) {
+      entries += row == c ? n * (n + 1) / 2 : n * free_slots(row);
+    });
+  }
+  lower.resizeNonZeros(entries);
   Number* const start = lower.outerIndexPtr();
   Number* const row_of = lower.innerIndexPtr();
   double* const value_of = lower.valuePtr();
@@ -116,20 +140,12 @@ Eigen::SparseMatrix<double> CurvatureModel::lower_triangle(double shift) const {
   // Blocks and slots in growing order are unknowns in growing order, so columns come out complete.
   for (Index c = 0; c < chart_->block_count(); ++c) {
     rows.clear();
-    const auto take = [&](Index k) {
-      const Index row = places_[static_cast<std::size_t>(k)].row;
-      if (row < 0) return;
+    for_each_in_column(c, [&](Index row, const Eigen::Matrix4d& value) {
       std::array<Index, 4> unknown;
       for (int i = 0; i < 4; ++i) unknown[static_cast<std::size_t>(i)] = chart_->unknown(row, i);
-      rows.push_back({row, unknown, &blocks_[static_cast<std::size_t>(k)]});
-    };
-    for (Index k = 0; k < band; ++k) take(band * c + k);
-    const auto chained = static_cast<std::ptrdiff_t>(rows.size());
-    for (Index k = places_[static_cast<std::size_t>(band * c + band - 1)].next; k >= 0;
-         k = places_[static_cast<std::size_t>(k)].next) {
-      take(k);
-    }
-    std::sort(rows.begin() + chained, rows.end(),
+      rows.push_back({row, unknown, &value});
+    });
+    std::sort(rows.begin(), rows.end(),
               [](const RowBlock& p, const RowBlock& q) { return p.row < q.row; });
     for (int j = 0; j < 4; ++j) {
       const Index column = chart_->unknown(c, j);
@@ -148,7 +164,6 @@ Eigen::SparseMatrix<double> CurvatureModel::lower_triangle(double shift) const {
     }
   }
   start[chart_->size()] = count;
-  lower.resizeNonZeros(count);
   return lower;
 }
 

@@ -78,11 +78,14 @@ double guard_energy(const FrameChart& chart, const Points& moves, double distanc
 
 Preconditioner preconditioner_at(const FrameChart& chart, const EnergyFunctions& energy,
                                  const EquilibriumOptions& options, SolverWork& work) {
-  const auto factored = [&](double exactness) {
+  const auto curvature = [&](double exactness) {
     CurvatureModel model(chart, exactness);
     energy.add_curvature(chart.reference(), model);
+    return model.lower_triangle(options.shift);
+  };
+  const auto factored = [&](double exactness) {
     ++work.factorizations;
-    return Preconditioner::factored(model.lower_triangle(options.shift), options.shift);
+    return Preconditioner::factored(curvature(exactness), options.shift);
   };
   std::optional<Preconditioner> result = factored(options.exactness);
   if (!result && options.exactness > 0) result = factored(0);

@@ -57,6 +57,9 @@ class CurvatureModel {
     Index next;
   };
   Eigen::Matrix4d& block(Index row, Index column);
+  // Calls f(row, value) for the blocks of a column, in no particular order.
+  template <class F>
+  void for_each_in_column(Index column, F&& f) const;
 
   const FrameChart* chart_;
   double exactness_;
