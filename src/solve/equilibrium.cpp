@@ -85,7 +85,9 @@ Preconditioner preconditioner_at(const FrameChart& chart, const EnergyFunctions&
   };
   const auto factored = [&](double exactness) {
     ++work.factorizations;
-    return Preconditioner::factored(curvature(exactness), options.shift);
+    const auto definiteness = exactness > 0 ? Preconditioner::Definiteness::unknown
+                                            : Preconditioner::Definiteness::positive;
+    return Preconditioner::factored(curvature(exactness), options.shift, definiteness);
   };
   std::optional<Preconditioner> result = factored(options.exactness);
   if (!result && options.exactness > 0) result = factored(0);

@@ -29,7 +29,7 @@ struct Preconditioner::Factor {
 Preconditioner::Preconditioner(std::unique_ptr<Factor> factor) : factor_(std::move(factor)) {}
 
 std::optional<Preconditioner> Preconditioner::factored(const Eigen::SparseMatrix<double>& lower,
-                                                       double smallest) {
+                                                       double smallest, Definiteness definiteness) {
   EliminationTree tree = elimination_tree(lower);
   double size = 0;
   for (const Front& front : tree.fronts) {
@@ -45,7 +45,8 @@ std::optional<Preconditioner> Preconditioner::factored(const Eigen::SparseMatrix
         Factor{std::move(order), std::move(triangle), size, Eigen::VectorXd(lower.rows())}));
   };
   if (single_precision_serves(lower, smallest)) {
-    if (auto result = in(float{})) return result;
+    auto result = in(float{});
+    if (result || definiteness == Definiteness::unknown) return result;
   }
   return in(double{});
 }

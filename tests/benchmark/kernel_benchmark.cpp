@@ -263,12 +263,15 @@ void curvature_assembly(benchmark::State& bench) {
   count_nodes(bench, descent);
 }
 
+Preconditioner factored(const Descent& descent, const Eigen::SparseMatrix<double>& lower) {
+  return *Preconditioner::factored(lower, descent.shift(), Preconditioner::Definiteness::unknown);
+}
+
 void factorization(benchmark::State& bench) {
   Descent descent(bench);
   const Eigen::SparseMatrix<double> lower = descent.curvature();
   double factor_size = 0;
-  for (auto _ : bench)
-    factor_size = Preconditioner::factored(lower, descent.shift())->factor_size();
+  for (auto _ : bench) factor_size = factored(descent, lower).factor_size();
   count_nodes(bench, descent);
   const auto nodes = static_cast<double>(descent.state.node_count());
   bench.counters["factor_nonzeros_per_node"] = factor_size / nodes;
@@ -277,7 +280,7 @@ void factorization(benchmark::State& bench) {
 
 void triangular_solves(benchmark::State& bench) {
   Descent descent(bench);
-  Preconditioner preconditioner = *Preconditioner::factored(descent.curvature(), descent.shift());
+  Preconditioner preconditioner = factored(descent, descent.curvature());
   const Eigen::VectorXd y = descent.x;
   Eigen::VectorXd step, by_y;
   for (auto _ : bench) {

@@ -16,9 +16,11 @@ class Preconditioner {
  public:
   /// `lower` is the lower triangle of a symmetric matrix, whose eigenvalues should not be below `smallest`
   /// (the shift of a curvature model): it decides whether single precision serves.
-  /// Nothing if the matrix is not positive definite.
+  /// Nothing if pivots are not positive. Where those in single precision are not, the matrix is factored
+  /// again in double if it is `positive` but for rounding, and given up if that is `unknown`.
+  enum class Definiteness { positive, unknown };
   static std::optional<Preconditioner> factored(const Eigen::SparseMatrix<double>& lower,
-                                                double smallest);
+                                                double smallest, Definiteness definiteness);
   ~Preconditioner();
   Preconditioner(Preconditioner&&) noexcept;
   Preconditioner& operator=(Preconditioner&&) noexcept;

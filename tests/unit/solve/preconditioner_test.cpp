@@ -13,6 +13,7 @@ namespace wirepack {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
+using Definiteness = Preconditioner::Definiteness;
 
 Eigen::VectorXd random_vector(Index size, std::uint64_t seed) {
   Random random(seed);
@@ -56,7 +57,7 @@ Sparse packing_matrix(Index nodes, Index contacts, double shift, std::uint64_t s
 
 Eigen::VectorXd step_to_minimum(const Sparse& lower, double smallest,
                                 const Eigen::VectorXd& force) {
-  auto p = Preconditioner::factored(lower, smallest);
+  auto p = Preconditioner::factored(lower, smallest, Definiteness::positive);
   EXPECT_TRUE(p);
   Eigen::VectorXd y, step;
   p->to_gradient(force, y);
@@ -81,7 +82,7 @@ TEST(Preconditioner, BothSolvesTogetherInvertTheMatrix) {
 
 TEST(Preconditioner, StepAndGradientAreEachOthersTranspose) {
   const Sparse lower = packing_matrix(300, 500, 1e-3, 3);
-  auto p = Preconditioner::factored(lower, 1e-1);
+  auto p = Preconditioner::factored(lower, 1e-1, Definiteness::positive);
   ASSERT_TRUE(p);
   const Eigen::VectorXd y = random_vector(lower.rows(), 1), g = random_vector(lower.rows(), 2);
   Eigen::VectorXd step, by_y;
@@ -126,8 +127,10 @@ TEST(Preconditioner, PlaceInMemoryChangesNoBit) {
 TEST(Preconditioner, MatrixThatIsNotPositiveDefiniteHasNone) {
   Sparse lower = packing_matrix(200, 300, 1e-3, 2);
   lower.coeffRef(301, 301) -= 2 * lower.coeff(301, 301);
-  EXPECT_FALSE(Preconditioner::factored(lower, 1e-1));
-  EXPECT_FALSE(Preconditioner::factored(lower, 1e-12));
+  for (const Definiteness definiteness : {Definiteness::positive, Definiteness::unknown}) {
+    EXPECT_FALSE(Preconditioner::factored(lower, 1e-1, definiteness));
+    EXPECT_FALSE(Preconditioner::factored(lower, 1e-12, definiteness));
+  }
 }
 
 // Rounding in single precision can make pivots negative that are not.
@@ -140,6 +143,8 @@ TEST(Preconditioner, DoublePrecisionServesWhereSingleFindsNoPositivePivot) {
   lower.makeCompressed();
   const Eigen::VectorXd step = step_to_minimum(lower, 1e-1, Eigen::Vector2d(0, 1));
   EXPECT_NEAR(step[1] * 1e-9, 1, 1e-6);
+  EXPECT_FALSE(Preconditioner::factored(lower, 1e-1, Definiteness::unknown))
+      << "an indefinite matrix would be factored twice in vain";
 }
 
 }  // namespace
