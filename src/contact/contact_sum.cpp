@@ -147,6 +147,7 @@ struct Listed {
   }
   void add(const EdgePair& pair, const LineKernel& kernel, const LineContact& line) {
     const double overlap = kernel.touching_distance - line.distance;
+    if (overlap <= 0) return;  // picked by round-off
     touching.push_back({pair, line, overlap, line.stiffness * overlap});
   }
   void add(const Listed& more) {
@@ -185,9 +186,9 @@ Sum<Sink> sum_inner_pairs(const LineKernel& kernel, const RodState& state, const
   const auto touching = std::make_unique_for_overwrite<TouchingFour[]>(fours.size());
   std::size_t touching_fours = 0;
   for (const EdgeFour& four : fours) {
-    const Meeting<Lanes> m =
-        meet(kernel, lines.repeated(four.first), lines.four(four.start), no_end, no_end);
-    const LaneMask touches = m.touches(kernel) && mask_of(inner_pairs(four, state));
+    const LaneMask touches =
+        touch_inside(kernel, lines.repeated(four.first), lines.four(four.start)) &&
+        mask_of(inner_pairs(four, state));
     TouchingFour& kept = touching[touching_fours];
     kept.first = four.first;
     kept.start = four.start;

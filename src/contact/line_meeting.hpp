@@ -79,13 +79,23 @@ template <class T, class End>
 // a free end of line 1 moves s, then t follows from the second row, then a free end of line 2.
 // Divisions cost most, so inverses are kept.
 template <class T>
-struct Meeting {
+struct MeetingSystem {
   Triple<T> w;
   T n1, n2, q;  // e1.e1, e2.e2, e1.e2
   T inverse_n1n2;
   T cosine2, parallel;  // squared cosine of the angle; its 4th power, 1 for parallel lines
   T eta;
-  T a11, a12, a22, b1, b2, inverse_determinant;
+  T a11, a12, a22, b1, b2;
+
+  T determinant() const { return a11 * a22 - a12 * a12; }
+  // Determinant times s and t.
+  T scaled_s() const { return a22 * b1 - a12 * b2; }
+  T scaled_t() const { return a11 * b2 - a12 * b1; }
+};
+
+template <class T>
+struct Meeting : MeetingSystem<T> {
+  T inverse_determinant;
   T s_free, t_free;    // before the ends
   ValueSlope<T> s, t;  // after them
   ValueSlope<T> weight1, weight2;
@@ -99,13 +109,13 @@ struct Meeting {
   }
 };
 
-template <class T, class End>
-[[gnu::always_inline]] inline Meeting<T> meet(const LineKernel& kernel, const LineOf<T>& first,
-                                              const LineOf<T>& second, const End& end1,
-                                              const End& end2) {
+template <class T>
+[[gnu::always_inline]] inline MeetingSystem<T> meeting_system(const LineKernel& kernel,
+                                                              const LineOf<T>& first,
+                                                              const LineOf<T>& second) {
   const Triple<T>& e1 = first.vector;
   const Triple<T>& e2 = second.vector;
-  Meeting<T> m;
+  MeetingSystem<T> m;
   m.w = first.midpoint - second.midpoint;
   m.n1 = dot(e1, e1);
   m.n2 = dot(e2, e2);
@@ -118,14 +128,37 @@ template <class T, class End>
   m.a11 = (1.0 + m.eta) * m.n1;
   m.a22 = (1.0 + m.eta) * m.n2;
   m.a12 = (m.eta - 1.0) * m.q;
-  m.inverse_determinant = 1.0 / (m.a11 * m.a22 - m.a12 * m.a12);
   m.b1 = -dot(m.w, e1);
   m.b2 = dot(m.w, e2);
-  m.s_free = (m.a22 * m.b1 - m.a12 * m.b2) * m.inverse_determinant;
+  return m;
+}
+
+// Whether lines without ends touch, but for round-off: all by the determinant, so that nothing is divided.
+template <class T>
+[[gnu::always_inline]] inline auto touch_inside(const LineKernel& kernel, const LineOf<T>& first,
+                                                const LineOf<T>& second) {
+  using std::abs;
+  const MeetingSystem<T> m = meeting_system(kernel, first, second);
+  const T determinant = m.determinant(), s = m.scaled_s(), t = m.scaled_t();
+  const Triple<T> separation = determinant * m.w + s * first.vector - t * second.vector;
+  const T reach = kernel.touching_distance * determinant, support = 1.5 * determinant;
+  return dot(separation, separation) < reach * reach && abs(s) < support && abs(t) < support;
+}
+
+template <class T, class End>
+[[gnu::always_inline]] inline Meeting<T> meet(const LineKernel& kernel, const LineOf<T>& first,
+                                              const LineOf<T>& second, const End& end1,
+                                              const End& end2) {
+  const Triple<T>& e1 = first.vector;
+  const Triple<T>& e2 = second.vector;
+  Meeting<T> m;
+  static_cast<MeetingSystem<T>&>(m) = meeting_system(kernel, first, second);
+  m.inverse_determinant = 1.0 / m.determinant();
+  m.s_free = m.scaled_s() * m.inverse_determinant;
   m.weight1 = weight(end1, m.s_free);
   m.s = clamp_to_ends(end1, m.s_free);
   if constexpr (std::is_same_v<End, NoEnd>) {
-    m.t_free = (m.a11 * m.b2 - m.a12 * m.b1) * m.inverse_determinant;
+    m.t_free = m.scaled_t() * m.inverse_determinant;
   } else {
     m.t_free = (m.b2 - m.a12 * m.s.value) / m.a22;
   }
@@ -169,7 +202,7 @@ template <class T>
   // then s, through the linear system, whose own solution for t is t_linear,
   const T s_bar =
       spring * m.weight1.slope * m.weight2.value + (dot(r_bar, e1) - row * m.a12) * m.s.slope;
-  const T t_linear = (m.a11 * m.b2 - m.a12 * m.b1) * m.inverse_determinant;
+  const T t_linear = m.scaled_t() * m.inverse_determinant;
   const T l1 = m.a22 * m.inverse_determinant * s_bar;
   const T l2 = -m.a12 * m.inverse_determinant * s_bar;
   const T b1_bar = l1;
