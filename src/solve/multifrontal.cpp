@@ -19,12 +19,15 @@ constexpr Index tile = 96;
 // place, so that their rounding would depend on where the heap had room.
 
 // The lower triangle of the matrix in the order of elimination; rows of a column are not sorted.
+template <class Entry>
 struct OrderedLower {
   std::vector<int> start, row;
-  std::vector<double> value;
+  std::vector<Entry> value;
 };
 
-OrderedLower in_order(const Eigen::SparseMatrix<double>& lower, const std::vector<int>& order) {
+template <class Entry>
+OrderedLower<Entry> in_order(const Eigen::SparseMatrix<double>& lower,
+                             const std::vector<int>& order) {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
@@ -38,7 +41,7 @@ OrderedLower in_order(const Eigen::SparseMatrix<double>& lower, const std::vecto
       }
     }
   };
-  OrderedLower result;
+  OrderedLower<Entry> result;
   result.start.assign(order.size() + 1, 0);
   for_each_entry([&](int c, int, double) { ++result.start[static_cast<std::size_t>(c) + 1]; });
   std::partial_sum(result.start.begin(), result.start.end(), result.start.begin());
@@ -48,7 +51,7 @@ OrderedLower in_order(const Eigen::SparseMatrix<double>& lower, const std::vecto
   for_each_entry([&](int c, int r, double value) {
     const auto k = static_cast<std::size_t>(next[static_cast<std::size_t>(c)]++);
     result.row[k] = r;
-    result.value[k] = value;
+    result.value[k] = static_cast<Entry>(value);
   });
   return result;
 }
@@ -56,7 +59,8 @@ OrderedLower in_order(const Eigen::SparseMatrix<double>& lower, const std::vecto
 template <class Entry>
 class Elimination {
  public:
-  Elimination(const EliminationTree& tree, const OrderedLower& lower, FrontColumns<Entry>& factor)
+  Elimination(const EliminationTree& tree, const OrderedLower<Entry>& lower,
+              FrontColumns<Entry>& factor)
       : tree_(&tree), lower_(&lower), factor_(&factor), updates_(tree.fronts.size()) {}
 
   // Whether all pivots are positive.
@@ -107,7 +111,7 @@ class Elimination {
       for (int k = lower_->start[column]; k < lower_->start[column + 1]; ++k) {
         const auto entry = static_cast<std::size_t>(k);
         const int slot = slots[static_cast<std::size_t>(lower_->row[entry])];
-        columns[c * height + slot] = static_cast<Entry>(lower_->value[entry]);
+        columns[c * height + slot] = lower_->value[entry];
       }
     }
     for (const int child : tree_->children[f]) {
@@ -166,7 +170,7 @@ class Elimination {
   }
 
   const EliminationTree* tree_;
-  const OrderedLower* lower_;
+  const OrderedLower<Entry>* lower_;
   FrontColumns<Entry>* factor_;
   std::vector<Matrix> updates_;  // of each front, lower triangles
 };
@@ -183,7 +187,8 @@ std::optional<FrontColumns<Entry>> factored(const EliminationTree& tree,
     size += front.columns * (front.columns + static_cast<Index>(front.rows.size()));
   }
   factor.entries.resize(size);
-  if (!Elimination<Entry>(tree, in_order(lower, tree.order), factor).run()) return std::nullopt;
+  const OrderedLower<Entry> ordered = in_order<Entry>(lower, tree.order);
+  if (!Elimination<Entry>(tree, ordered, factor).run()) return std::nullopt;
   return factor;
 }
 
