@@ -95,7 +95,8 @@ SmoothLine smooth_line(const Points& nodes, const Eigen::VectorXd& colour, Index
   return line;
 }
 
-// Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline.
+// Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline, and one of no
+// radius to close each end.
 std::string tube(const SmoothLine& line, double radius) {
   constexpr int around = 12;
   std::string text = "# x y z colour\n";
@@ -105,16 +106,21 @@ std::string tube(const SmoothLine& line, double radius) {
         .normalized();
   };
   Quat frame = frame_with_tangent(direction(0));
-  for (Index k = 0; k < n; ++k) {
-    frame = (transport(third_axis(frame), direction(k)) * frame).normalized();
+  const auto add_ring = [&](Index k, double size) {
     for (int j = 0; j <= around; ++j) {
       const double angle = 2 * pi * j / around;
       const Vec3 r =
-          line.points.col(k) + frame * Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+          line.points.col(k) + frame * Vec3(size * std::cos(angle), size * std::sin(angle), 0);
       text += fmt::format("{:.4f} {:.4f} {:.4f} {:.4g}\n", r.x(), r.y(), r.z(), line.colour[k]);
     }
     text += "\n";
+  };
+  add_ring(0, 0);
+  for (Index k = 0; k < n; ++k) {
+    frame = (transport(third_axis(frame), direction(k)) * frame).normalized();
+    add_ring(k, radius);
   }
+  add_ring(n - 1, 0);
   return text;
 }
 
