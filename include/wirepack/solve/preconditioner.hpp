@@ -14,11 +14,12 @@ namespace wirepack {
 /// hand; the same bits for any number of them.
 class Preconditioner {
  public:
+  /// Whether a matrix is known to be positive definite, but for rounding.
+  enum class Definiteness { positive, unknown };
   /// `lower` is the lower triangle of a symmetric matrix, whose eigenvalues should not be below `smallest`
   /// (the shift of a curvature model): it decides whether single precision serves.
   /// Nothing if pivots are not positive. Where those in single precision are not, the matrix is factored
-  /// again in double if it is `positive` but for rounding, and given up if that is `unknown`.
-  enum class Definiteness { positive, unknown };
+  /// again in double if it is known to be positive definite, and given up if it is not.
   static std::optional<Preconditioner> factored(const Eigen::SparseMatrix<double>& lower,
                                                 double smallest, Definiteness definiteness);
   ~Preconditioner();
