@@ -50,9 +50,9 @@ class ProgramTest(unittest.TestCase):
             **options,
         )
 
-    def run_program(self, *arguments, **options):
+    def run_program(self, *arguments, timeout=60, **options):
         process = self.start(*arguments, **options)
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=timeout)
         return process.returncode, out, err
 
     def names(self):
