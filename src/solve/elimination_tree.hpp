@@ -29,7 +29,8 @@ struct EliminationTree {
 
 /// Eigen's approximate minimum degree (Amestoy, Davis and Duff 1996) on groups of columns with one
 /// pattern: the unknowns of a node are coupled to the same others, so that is a tenth of the work.
-/// Fronts that follow on each other are taken together where that adds few zeros. `lower` is a lower triangle with sorted columns.
+/// Fronts that follow on each other are taken together where that adds few zeros. `lower` is a lower
+/// triangle with sorted columns.
 EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower);
 
 }  // namespace wirepack

@@ -5,7 +5,7 @@ import unittest
 
 from support import ProgramTest, differing
 
-# 650 nodes, and snaps of hundreds of evaluations in which any other rounding shows.
+# Some 670 nodes, and snaps of hundreds of evaluations in which any other rounding shows.
 LARGE_RUN = """
 [packing]
 setup = "low_torsion"
