@@ -10,28 +10,32 @@ namespace wirepack {
 
 namespace {
 
-Quat rotation_of(const Vec3& vector) {
-  const double angle = vector.norm();
-  return angle > 0 ? rotation_about(vector / angle, angle) : Quat::Identity();
+// A rotation without trigonometry: about v by 2 atan(|v| / 2).
+template <class T>
+QuatOf<T> cayley_rotation(const Triple<T>& v) {
+  using std::sqrt;
+  const Triple<T> u = T(0.5) * v;
+  const T w = 1.0 / sqrt(1.0 + dot(u, u));
+  return {w, w * u.x, w * u.y, w * u.z};
 }
 
-// Transpose of the left Jacobian of the exponential map, applied: J_l(v)^T b, where
-// exp(v + dv) = exp(J_l(v) dv) exp(v).
-Vec3 jacobian_transposed(const Vec3& v, const Vec3& b) {
-  const double angle2 = v.squaredNorm();
-  double c1 = 0.5 - angle2 / 24;       // (1 - cos) / angle^2
-  double c2 = 1.0 / 6 - angle2 / 120;  // (angle - sin) / angle^3
-  if (angle2 > 1e-6) {
-    const double angle = std::sqrt(angle2);
-    c1 = (1 - std::cos(angle)) / angle2;
-    c2 = (angle - std::sin(angle)) / (angle2 * angle);
-  }
-  return b - c1 * v.cross(b) + c2 * v.cross(v.cross(b));
+// What a torque b on a body that the rotation above has turned is by v: A^T b, where the rotation of
+// v + dv is a turn by A dv after that of v; A = (I + hat(v) / 2) / (1 + v.v / 4).
+template <class T>
+Triple<T> by_cayley_vector(const Triple<T>& v, const Triple<T>& b) {
+  const Triple<T> u = T(0.5) * v;
+  return (1.0 / (1.0 + dot(u, u))) * (b - cross(u, b));
 }
 
 double taper_weight(double arc, double taper) {
   const double u = std::min(1.0, arc / taper);
   return u * u * (3 - 2 * u);
+}
+
+// The same vector in all lanes.
+template <class T>
+Triple<T> spread(const Vec3& v) {
+  return {T(v.x()), T(v.y()), T(v.z())};
 }
 
 template <class T>
@@ -81,11 +85,13 @@ TurningChart::TurningChart(const FrameChart& chart, double taper)
   if (!turns_) return;
   node_weight_.setZero(n);
   frame_weight_.setZero(static_cast<Index>(reference.frames.size()));
+  angle_weight_ = frame_weight_;
   double arc = 0;
   for (Index j = reference.edge_count(); j-- > 0;) {
     const double length =
         (reference.nodes.col(next_node(reference, j)) - reference.nodes.col(j)).norm();
     frame_weight_[j] = taper_weight(arc + length / 2, taper);
+    if (chart.angle_unknown(j) >= 0) angle_weight_[j] = frame_weight_[j];
     arc += length;
     node_weight_[j] = taper_weight(arc, taper);
   }
@@ -107,7 +113,6 @@ TurningChart::TurningChart(const FrameChart& chart, double taper)
   const double floor = 1e-3 * inertia.trace() + 1e-12 * reference.nodes.squaredNorm();
   inverse_inertia_ = (inertia + floor * Mat3::Identity()).inverse();
   back_.setZero(3, n);
-  node_turn_.resize(static_cast<std::size_t>(n - rigid_nodes_));
 }
 
 void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
@@ -123,47 +128,49 @@ void TurningChart::set_state(const Eigen::VectorXd& z, RodState& out) {
   }
   omega_ = inverse_inertia_ * sum_of_crosses(weighted_, step_, n);
   const Mat3 spin = hat(omega_);
-  const Quat whole_turn = rotation_of(omega_);
-  turn_ = whole_turn.toRotationMatrix();
+  turn_ = quat(cayley_rotation(triple(omega_))).toRotationMatrix();
   for_each_in_lanes(0, n, [&]<class T>(Index i) {
     store_columns(load_columns<T>(step_, i) - times(spin, load_columns<T>(weighted_, i)), moves_,
                   i);
   });
+  const auto moved = [&]<class T>(T, Index i) {
+    return load_columns<T>(reference.nodes, i) + load_columns<T>(moves_, i);
+  };
   for_each_in_lanes(0, rigid_nodes_, [&]<class T>(Index i) {
-    const Triple<T> moved = load_columns<T>(reference.nodes, i) + load_columns<T>(moves_, i);
-    store_columns(times(turn_, moved), out.nodes, i);
+    store_columns(times(turn_, moved(T(), i)), out.nodes, i);
   });
-  for (Index i = rigid_nodes_; i < n; ++i) {
-    Mat3& turn = node_turn_[static_cast<std::size_t>(i - rigid_nodes_)];
-    turn = rotation_of(node_weight_[i] * omega_).toRotationMatrix();
-    out.nodes.col(i) = turn * (reference.nodes.col(i) + moves_.col(i));
-  }
+  for_each_in_lanes(rigid_nodes_, n, [&]<class T>(Index i) {
+    const T weight = load<T>(node_weight_.data() + i);
+    store_columns(cayley_rotation(weight * spread<T>(omega_)) * moved(T(), i), out.nodes, i);
+  });
   chart_->restore_held(out.nodes);
   if (!chart_->frames_follow()) return;
-  turn_frames(whole_turn);
+  turn_frames();
   chart_->set_frames({turned_frames_, turned_tangents_}, angle_, out);
 }
 
 // Also takes from the angles what the turn of the reference gives them already, to first order.
-void TurningChart::turn_frames(const Quat& whole_turn) {
+void TurningChart::turn_frames() {
   const std::vector<Quat>& frames = chart_->reference().frames;
   const Points& tangents = chart_->start().tangents;
-  const auto less_turn = [&](Index j, const Vec3& spin) {
-    if (chart_->angle_unknown(j) >= 0) angle_[j] -= spin.dot(tangents.col(j));
-  };
+  const Index count = tangents.cols();
+  const Quat whole_turn = quat(cayley_rotation(triple(omega_)));
   for_each_in_lanes(0, rigid_frames_, [&]<class T>(Index j) {
     const QuatOf<T> turn{whole_turn.w(), whole_turn.x(), whole_turn.y(), whole_turn.z()};
     store_quats(turn * load_quats<T>(frames.data(), j), turned_frames_.data(), j);
     store_columns(times(turn_, load_columns<T>(tangents, j)), turned_tangents_, j);
   });
-  for (Index j = 0; j < rigid_frames_; ++j) less_turn(j, omega_);
-  for (Index j = rigid_frames_; j < tangents.cols(); ++j) {
-    const Vec3 spin = frame_weight_[j] * omega_;
-    const Quat turn = rotation_of(spin);
-    turned_frames_[static_cast<std::size_t>(j)] = turn * frames[static_cast<std::size_t>(j)];
-    turned_tangents_.col(j) = turn * tangents.col(j);
-    less_turn(j, spin);
-  }
+  for_each_in_lanes(rigid_frames_, count, [&]<class T>(Index j) {
+    const T weight = load<T>(frame_weight_.data() + j);
+    const QuatOf<T> turn = cayley_rotation(weight * spread<T>(omega_));
+    store_quats(turn * load_quats<T>(frames.data(), j), turned_frames_.data(), j);
+    store_columns(turn * load_columns<T>(tangents, j), turned_tangents_, j);
+  });
+  for_each_in_lanes(0, count, [&]<class T>(Index j) {
+    const T spin = dot(spread<T>(omega_), load_columns<T>(tangents, j));
+    const T weight = load<T>(angle_weight_.data() + j);
+    store(load<T>(angle_.data() + j) - weight * spin, angle_.data() + j);
+  });
 }
 
 void TurningChart::pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
@@ -188,20 +195,21 @@ void TurningChart::pull_back(const RodState& state, const Points& by_node, const
   }
   // what is held follows no turn
   chart_->clear_held(force_);
-  const RodState& reference = chart_->reference();
-  const Index n = reference.node_count();
+  const Index n = chart_->reference().node_count();
   // The rigid nodes share one turn: their torques are summed before it is undone.
-  Vec3 by_omega = jacobian_transposed(omega_, sum_of_crosses(state.nodes, force_, rigid_nodes_));
+  const Vec3 torque = sum_of_crosses(state.nodes, force_, rigid_nodes_);
   const Mat3 turn_back = turn_.transpose();
   for_each_in_lanes(0, rigid_nodes_, [&]<class T>(Index i) {
     store_columns(times(turn_back, load_columns<T>(force_, i)), back_, i);
   });
-  for (Index i = rigid_nodes_; i < n; ++i) {
-    const double w = node_weight_[i];
-    const Vec3 force = force_.col(i);
-    back_.col(i) = node_turn_[static_cast<std::size_t>(i - rigid_nodes_)].transpose() * force;
-    by_omega += w * jacobian_transposed(w * omega_, Vec3(state.nodes.col(i)).cross(force));
-  }
+  TripleSum by_taper;
+  for_each_in_lanes(rigid_nodes_, n, [&]<class T>(Index i) {
+    const T weight = load<T>(node_weight_.data() + i);
+    const Triple<T> v = weight * spread<T>(omega_), force = load_columns<T>(force_, i);
+    store_columns(cayley_rotation(v).conjugate() * force, back_, i);
+    by_taper.add(weight * by_cayley_vector(v, cross(load_columns<T>(state.nodes, i), force)));
+  });
+  Vec3 by_omega = vec3(by_cayley_vector(triple(omega_), triple(torque))) + by_taper.total();
   if (moves_count) back_ += by_move;
   by_omega -= sum_of_crosses(weighted_, back_, n);
   if (frames_follow) by_omega += by_turning_frames(state);
@@ -216,32 +224,29 @@ void TurningChart::pull_back(const RodState& state, const Points& by_node, const
 // Turning the reference under a fixed tangent t spins the frame about t by
 // (t + t0').spin / (1 + t.t0'), t0' the turned reference tangent.
 Vec3 TurningChart::by_turning_frames(const RodState& state) const {
-  const Index frames = by_angle_.size();
   const Points& tangents = chart_->start().tangents;
-  // the angle of a held frame does not follow the turn
-  Eigen::VectorXd by_angle(frames);
-  for (Index j = 0; j < frames; ++j) {
-    by_angle[j] = chart_->angle_unknown(j) >= 0 ? by_angle_[j] : 0.0;
-  }
-  const auto spin_axis = [&]<class T>(T, Index j) {
+  const auto by_spin = [&]<class T>(T by_angle, Index j) {
     const Triple<T> t = third_axis(load_quats<T>(state.frames.data(), j));
     const Triple<T> t0 = load_columns<T>(turned_tangents_, j);
-    return (1.0 / (1.0 + dot(t, t0))) * (t + t0);
+    return (by_angle / (1.0 + dot(t, t0))) * (t + t0);
   };
-  TripleSum by_turn, by_tangent;
+  const auto weighted_by_angle = [&]<class T>(T, Index j) {
+    return load<T>(angle_weight_.data() + j) * load<T>(by_angle_.data() + j);
+  };
+  TripleSum by_turn, by_taper, by_tangent;
   for_each_in_lanes(0, rigid_frames_, [&]<class T>(Index j) {
-    const T g = load<T>(by_angle.data() + j);
-    by_turn.add(g * spin_axis(T(), j));
-    by_tangent.add(g * load_columns<T>(tangents, j));
+    const T by_angle = weighted_by_angle(T(), j);
+    by_turn.add(by_spin(by_angle, j));
+    by_tangent.add(by_angle * load_columns<T>(tangents, j));
   });
-  Vec3 by_omega = jacobian_transposed(omega_, by_turn.total()) - by_tangent.total();
-  for (Index j = rigid_frames_; j < frames; ++j) {
-    const double w = frame_weight_[j];
-    if (w == 0) continue;
-    by_omega += w * by_angle[j] *
-                (jacobian_transposed(w * omega_, vec3(spin_axis(double(), j))) - tangents.col(j));
-  }
-  return by_omega;
+  for_each_in_lanes(rigid_frames_, tangents.cols(), [&]<class T>(Index j) {
+    const T by_angle = weighted_by_angle(T(), j);
+    const Triple<T> v = load<T>(frame_weight_.data() + j) * spread<T>(omega_);
+    by_taper.add(by_cayley_vector(v, by_spin(by_angle, j)));
+    by_tangent.add(by_angle * load_columns<T>(tangents, j));
+  });
+  return vec3(by_cayley_vector(triple(omega_), triple(by_turn.total()))) + by_taper.total() -
+         by_tangent.total();
 }
 
 }  // namespace wirepack

@@ -12,10 +12,11 @@ namespace wirepack {
 /// free; straight steps of its nodes leave that curved valley at once.
 ///
 ///   omega = M^-1 sum w_i r_i x z_i,  M = sum w_i^2 (r_i.r_i I - r_i r_i^T) + 1e-3 tr(M) I
-///   x_i   = exp(w_i omega) (r_i + z_i - w_i omega x r_i),  r_i the reference
-///   theta = z_theta - w omega.t0, relative to reference frames turned by exp(w omega)
+///   x_i   = R(w_i omega) (r_i + z_i - w_i omega x r_i),  r_i the reference
+///   theta = z_theta - w omega.t0, relative to reference frames turned by R(w omega)
 ///
-/// The map is the identity to first order. w rises from 0 at the last node, which a nozzle holds, to
+/// R(v) is the Cayley transform of v / 2, a rotation about v by 2 atan(|v| / 2). The map is the identity
+/// to first order. w rises from 0 at the last node, which a nozzle holds, to
 /// 1 over the arc length `taper`: u^2 (3 - 2 u).
 class TurningChart {
  public:
@@ -34,18 +35,18 @@ class TurningChart {
                  const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z);
 
  private:
-  void turn_frames(const Quat& whole_turn);
+  void turn_frames();
   Vec3 by_turning_frames(const RodState& state) const;
 
   const FrameChart* chart_;
   Eigen::VectorXd node_weight_, frame_weight_;
+  Eigen::VectorXd angle_weight_;              // frame weights, 0 where the angle is held
   Index rigid_nodes_ = 0, rigid_frames_ = 0;  // those from the tip on whose weight is 1
   Points weighted_;                           // w_i r_i
   Mat3 inverse_inertia_ = Mat3::Zero();
   bool turns_ = false;
   Vec3 omega_ = Vec3::Zero();
-  Mat3 turn_ = Mat3::Identity();  // exp(omega), of the last set_state
-  std::vector<Mat3> node_turn_;   // of the nodes behind the rigid ones
+  Mat3 turn_ = Mat3::Identity();  // R(omega), of the last set_state
   std::vector<Quat> turned_frames_;
   Points turned_tangents_;
   Eigen::VectorXd angle_, by_angle_;
