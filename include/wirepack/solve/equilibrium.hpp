@@ -13,7 +13,7 @@ struct MinimizerOptions {
   double tolerance = 1e-4;      ///< largest gradient component at rest, over YI / R^2
   int max_evaluations = 20000;  ///< per equilibrium
   int memory = 20;              ///< vector pairs of L-BFGS
-  int refactor_every = 25;      ///< evaluations with one factor of the curvature model
+  int refactor_every = 35;      ///< evaluations with one factor of the curvature model
   double shift = 1e-6;          ///< added to the curvature model's diagonal, over YI
 };
 
