@@ -34,6 +34,12 @@ bool is_whole_edge(double length, const RodParams& wire) {
   return std::abs(length - wire.edge_length) < 1e-9 * wire.edge_length;
 }
 
+// An edge is a whole number of increments.
+bool divides_edges(double increment, const RodParams& wire) {
+  const double count = wire.edge_length / increment;
+  return std::abs(count - std::round(count)) < 1e-9 * count;
+}
+
 // Whether increments are whole edges, by which the wire slides along itself. Friction would have to
 // undo that where it holds the wire.
 bool feeds_whole_edges(const Scenario& scenario) {
@@ -112,11 +118,13 @@ double QuasistaticPacking::length_of_step() const {
         step, length_at_density(*scenario_.stop.density, scenario_.cavity, scenario_.wire.radius) -
                   length);
   }
-  if (feeds_whole_edges(scenario_)) {
-    // Parts of an edge lead back to the inlet edge of whole ones.
-    const double whole = scenario_.wire.edge_length;
-    const double edges = progress_.rod.inlet_rest_length / whole - inlet_of_whole_edges;
-    const double missing = whole * (std::ceil(edges - 1e-9) - edges);
+  if (divides_edges(scenario_.insertion.increment, scenario_.wire)) {
+    // Parts of an increment lead back to the phases of the mesh that whole ones have: others read
+    // another mean force.
+    const double whole = scenario_.insertion.increment;
+    const double inlet = inlet_of_whole_edges * scenario_.wire.edge_length;
+    const double increments = (progress_.rod.inlet_rest_length - inlet) / whole;
+    const double missing = whole * (std::ceil(increments - 1e-9) - increments);
     if (missing > 1e-9 * whole) step = std::min(step, missing);
   }
   return step;
