@@ -134,18 +134,24 @@ TEST_P(Capstan, ThrustGrowsByTheDiscreteRatioAndFallsByItWhenTheWireIsDrawnBack)
 }
 INSTANTIATE_TEST_SUITE_P(Coefficients, Capstan, ::testing::Values(0.2, 0.18));
 
-// Highest force, in YI / L^2, of a straight wire of length L = 2 (R - a) that is fed on when its tip has
-// reached the far wall.
-double first_peak(double mu, double start) {
-  const double radius = 40, span = 2 * (radius - 1);
-  const Index edges = 24;
-  Scenario scenario = default_scenario(Setup::low_torsion, {radius});
-  scenario.wire.stretch_multiplier = 0.1;  // small steps of the force
-  scenario.minimizer.tolerance = 1e-5;     // a weakly unstable wire is not at rest
+// A straight wire of length L = 2 (R - a), fixed in the nozzle at the near pole, whose tip has reached
+// the far one.
+constexpr double cavity_radius = 40, span = 2 * (cavity_radius - 1);
+
+struct Peak {
+  double force;  // in YI / L^2
+  double strain;
+};
+
+// Highest force when the wire is fed on from the force `start`.
+Peak first_peak(double mu, double start) {
+  const Index edges = 96;
+  Scenario scenario = default_scenario(Setup::low_torsion, {cavity_radius});
+  scenario.wire.stretch_multiplier = 0.2;  // an increment adds 0.3 % to the force
+  scenario.minimizer.tolerance = 1e-6;     // a weakly unstable wire is not at rest
   if (mu > 0) scenario.friction = {FrictionModel::coulomb, mu, mu, 0.01};
   const Stiffness stiff = stiffness(scenario.wire);
   const double unit = stiff.bend / (span * span);
-  // starts compressed to this force, below the peak
   const double length = span / static_cast<double>(edges) / (1 - start * unit / stiff.stretch);
   scenario.wire.edge_length = length;
   scenario.insertion.increment = length / 1000;
@@ -154,7 +160,7 @@ double first_peak(double mu, double start) {
   PackingProgress progress;
   Points nodes = Points::Zero(3, edges + 1);
   for (Index i = 0; i <= edges; ++i) {
-    nodes(2, i) = 1 - radius + span * static_cast<double>(i) / static_cast<double>(edges);
+    nodes(2, i) = 1 - cavity_radius + span * static_cast<double>(i) / static_cast<double>(edges);
   }
   progress.rod = make_rod(nodes, scenario.wire, {.last_clamped = true});
   progress.random_state = 1;
@@ -167,21 +173,51 @@ double first_peak(double mu, double start) {
     if (force < 0.99 * peak) break;
     peak = std::max(peak, force);
   }
-  return peak;
+  return {peak, peak * unit / stiff.stretch};
 }
 
-// Fixed in the nozzle and pinned at its tip, the wire buckles at (kL)^2 YI / L^2 with tan kL = kL. Where
-// the tip slides on the wall, the wall pushes it back to the pole by its curvature: tan kL = kL / 2.
-TEST(FirstContact, ATipThatSticksRaisesTheFirstPeakToTheEulerLoadOfAPinnedEnd) {
-  const double pinned = 20.190729, sliding = 18.273763;
-  const double stuck = first_peak(0.2, 0.96 * sliding);
-  const double slid = first_peak(0, 0.96 * sliding);
-  EXPECT_NEAR(stuck / pinned, 1, 0.01);  // 0.3 % from the mesh, a step of the force 0.5 %
-  EXPECT_NEAR(slid / sliding, 1, 0.01);
-  // hardly any is enough to hold the tip while the wire is straight
-  const double hardly = first_peak(1e-4, 0.96 * sliding);
-  EXPECT_GT(hardly, 1.02 * slid);
-  EXPECT_LT(hardly, 0.97 * stuck);
+// Buckling load in YI / L^2 of the wire whose tip rolls on the wall without slip. The wall pushes and holds
+// at the contact, a from the last node: YI w'' = F (c - w) - H (L + a - x) with w = w' = 0 in the nozzle,
+// w(L) = c (R - a) / R for a contact moved by c, and w(L) = -a w'(L) for a tip that rolls. For a = 0 this
+// is the pinned end, tan kL = kL, with 20.19.
+double rolling_load() {
+  // how far a solution for F = k^2 YI is from the last two conditions; zero at the load
+  const auto determinant = [](double k) {
+    const auto unmet = [k](double c, double h) {  // h = H / F
+      const double cosine = h * (span + 1) - c, sine = -h / k;
+      const double w = c - h + cosine * std::cos(k * span) + sine * std::sin(k * span);
+      const double slope = h + k * (sine * std::cos(k * span) - cosine * std::sin(k * span));
+      return Eigen::Vector2d(w - c * (cavity_radius - 1) / cavity_radius, w + slope);
+    };
+    Eigen::Matrix2d matrix;
+    matrix << unmet(1, 0), unmet(0, 1);
+    return matrix.determinant();
+  };
+  double low = 4 / span, high = 5 / span;
+  EXPECT_LT(determinant(low) * determinant(high), 0);
+  while (high - low > 1e-9 / span) {
+    const double middle = (low + high) / 2;
+    (determinant(low) * determinant(middle) > 0 ? low : high) = middle;
+  }
+  return std::pow(low * span, 2);
+}
+
+// A wire compressed by the strain e bends with YI (1 - e), and the force dE/dL per fed rest length is
+// thrust * (1 - e / 2).
+double with_compression(double load, const Peak& peak) { return load * (1 - 1.5 * peak.strain); }
+
+// Where the tip slides on the wall, the wall pushes it back to the pole by its curvature: tan kL = kL / 2.
+TEST(FirstContact, ATipThatSticksRaisesTheFirstPeakFromTheLoadOfASlidingEndToThatOfARollingOne) {
+  const double sliding = 18.273763, rolling = rolling_load();
+  const double increment = 0.003;
+  const Peak slid = first_peak(0, 0.96 * sliding);
+  EXPECT_NEAR(slid.force / with_compression(sliding, slid), 1, increment);
+  const Peak stuck = first_peak(0.2, 0.96 * sliding);
+  EXPECT_NEAR(stuck.force / with_compression(rolling, stuck), 1, increment);
+  // hardly any friction is enough to hold the tip while the wire is straight
+  const Peak hardly = first_peak(1e-3, 0.96 * sliding);
+  EXPECT_GT(hardly.force, 1.05 * slid.force);
+  EXPECT_LT(hardly.force, stuck.force);
 }
 
 }  // namespace
