@@ -15,6 +15,10 @@ namespace wirepack {
 
 namespace {
 
+// A round that has gone so much of the guard's distance and tries to go beyond it ends: further steps
+// would only bounce off the guard.
+constexpr double nearly_all = 0.9;
+
 // The lowest point seen; points equal in energy to round-off are ranked by their residual.
 struct Best {
   RodState state;
@@ -57,23 +61,29 @@ Eigen::VectorXd inverse_tolerances(const FrameChart& chart, const EquilibriumOpt
   return result;
 }
 
+struct GuardReport {
+  double energy = 0;
+  double longest = 0;  // move across the wire
+};
+
 // The guard's energy: stiffness / 2 (|d| - distance)^2 for each node whose move d across the
 // reference tangent is longer than the distance. Sets its derivative by the moves.
-double guard_energy(const FrameChart& chart, const Points& moves, double distance, double stiffness,
-                    Points& by_move) {
+GuardReport guard_energy(const FrameChart& chart, const Points& moves, double distance,
+                         double stiffness, Points& by_move) {
   by_move.setZero(3, moves.cols());
-  if (distance <= 0) return 0;
-  double energy = 0;
+  GuardReport report;
+  if (distance <= 0) return report;
   const Index last_edge = chart.reference().edge_count() - 1;
   for (Index i = 0; i < moves.cols(); ++i) {
     const Vec3 t = chart.reference_tangent(std::min(i, last_edge));
     const Vec3 across = moves.col(i) - moves.col(i).dot(t) * t;
-    const double excess = across.norm() - distance;
+    const double length = across.norm(), excess = length - distance;
+    report.longest = std::max(report.longest, length);
     if (excess <= 0) continue;
-    energy += stiffness / 2 * excess * excess;
-    by_move.col(i) = stiffness * excess / (excess + distance) * across;
+    report.energy += stiffness / 2 * excess * excess;
+    by_move.col(i) = stiffness * excess / length * across;
   }
-  return energy;
+  return report;
 }
 
 Preconditioner preconditioner_at(const FrameChart& chart, const EnergyFunctions& energy,
@@ -116,6 +126,7 @@ void descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& e
   // where values are huge. The first gradient of a round is made 1e3 by the unit of y (and of the
   // energy, its square), so that a round can gain eleven decades.
   double unit = 0;
+  double way = 0;  // longest move across the wire at the lowest point of this round
   const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& by_y) {
     watch.lap(work.descent_seconds);
     preconditioner.to_step(y, step);
@@ -126,9 +137,9 @@ void descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& e
     work.list_builds += energy.prepare(state);
     watch.lap(work.list_seconds);
     set_zero(gradient, state);
-    const double guarded =
+    const GuardReport guard =
         guard_energy(chart, turning.moves(), guard_distance, options.guard.stiffness, by_move);
-    const double value = energy.add_gradient(state, gradient) + guarded;
+    const double value = energy.add_gradient(state, gradient) + guard.energy;
     watch.lap(work.energy_seconds);
     turning.pull_back(state, gradient.node, gradient.frame, by_move, by_x, by_step);
     const double residual = by_x.cwiseProduct(inverse_tolerance).cwiseAbs().maxCoeff();
@@ -136,16 +147,18 @@ void descend_once(Best& best, const HeldUnknowns& held, const EnergyFunctions& e
       best.state = state;
       best.energy = value;
       best.residual = residual;
-      best.guarded = guarded;
+      best.guarded = guard.energy;
       best.inlet_length_force = gradient.inlet_length;
+      way = guard.longest;
     }
     const bool at_rest = residual <= 1 && best.energy == value;
+    const bool at_guard = guard.energy > 0 && way >= nearly_all * guard_distance;
     watch.lap(work.chart_seconds);
     preconditioner.to_gradient(by_step, by_y);
     watch.lap(work.solve_seconds);
     if (unit == 0) unit = std::max(by_y.cwiseAbs().maxCoeff() / 1e3, 1e-150);
     by_y /= unit;
-    return Evaluation{value / (unit * unit), at_rest};
+    return Evaluation{value / (unit * unit), at_rest || at_guard};
   };
   const DescentReport report = descend(objective, Eigen::VectorXd::Zero(chart.size()),
                                        {max_evaluations, options.method.memory});

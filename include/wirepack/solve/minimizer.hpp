@@ -9,7 +9,7 @@ namespace wirepack {
 /// What an objective says of one point. `gradient` was set by the call.
 struct Evaluation {
   double value;
-  bool good_enough;  ///< converged by the caller's own test: stop here
+  bool good_enough;  ///< by the caller's own test: stop here
 };
 
 using Objective = std::function<Evaluation(const Eigen::VectorXd& y, Eigen::VectorXd& gradient)>;
