@@ -13,14 +13,15 @@ struct MinimizerOptions {
   double tolerance = 1e-4;      ///< largest gradient component at rest, over YI / R^2
   int max_evaluations = 20000;  ///< per equilibrium
   int memory = 20;              ///< vector pairs of L-BFGS
-  int refactor_every = 35;      ///< evaluations with one factor of the curvature model
+  int refactor_every = 35;      ///< most evaluations with one factor of the curvature model
   double shift = 1e-6;          ///< added to the curvature model's diagonal, over YI
 };
 
 /// Keeps strands from jumping through each other on the way down. Within one round (one factor, one
 /// memory of L-BFGS), a node that moves across its own wire by more than `distance` is pushed back
-/// with this stiffness, so a long way is gone in several rounds; rest is judged without it. A round
-/// that is not admissible is taken back and repeated with half the distance, down to a sixteenth.
+/// with this stiffness, and a round that has come near that ends, so a long way is gone in several;
+/// rest is judged without it. A round that is not admissible is taken back and repeated with half the
+/// distance, down to a sixteenth.
 struct MoveGuard {
   double distance = 0;   ///< 0: no guard
   double stiffness = 0;  ///< [force / length]
@@ -52,7 +53,8 @@ struct EquilibriumReport {
 
 /// Moves `state` to a local minimum of the energy: L-BFGS in variables preconditioned by a factor
 /// of the curvature model, of its squares alone where they and the Hessian together are not positive;
-/// the factor and the chart are renewed in rounds. Judged by the gradient alone. `state` is the best point found, also when it has not converged.
+/// the factor and the chart are renewed in rounds. Judged by the gradient alone. `state` is the best point
+/// found, also when it has not converged.
 /// Throws NumericalFailure if even the start has no finite energy.
 EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
                                     const EnergyFunctions& energy,
