@@ -168,7 +168,7 @@ unsigned inner_pairs(const EdgeFour& four, const RodState& state) {
 // What some pairs add up to.
 template <class Sink>
 struct Sum {
-  double energy;
+  Energy energy;
   ByLines by_line;
   Sink sink;
 };
@@ -204,7 +204,7 @@ Sum<Sink> sum_inner_pairs(const LineKernel& kernel, const RodState& state, const
       pair_count += touching[i].touches[static_cast<std::size_t>(k)] > 0 ? 1 : 0;
     }
   }
-  Sum<Sink> sum{0, ByLines(fours.front().first, state.edge_count()), {}};
+  Sum<Sink> sum{{}, ByLines(fours.front().first, state.edge_count()), {}};
   for (std::size_t start = 0; start < pair_count; start += lane_count) {
     const EdgePair* const four = pairs.get() + start;
     const int count = static_cast<int>(std::min<std::size_t>(lane_count, pair_count - start));
@@ -247,7 +247,7 @@ std::vector<std::span<const EdgeFour>> shares_of(std::span<const EdgeFour> fours
 }
 
 template <class Sink>
-double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<const EdgeFour> fours,
+Energy sum_pairs(const LineKernel& kernel, const RodState& state, std::span<const EdgeFour> fours,
                  Points& by_node, Sink& sink) {
   const LineTable lines(state);
   const auto shares = shares_of(fours, state.edge_count());
@@ -256,7 +256,7 @@ double sum_pairs(const LineKernel& kernel, const RodState& state, std::span<cons
     const auto share = static_cast<std::size_t>(k);
     sums[share] = sum_inner_pairs<Sink>(kernel, state, lines, shares[share]);
   });
-  double energy = 0;
+  Energy energy;
   for (const auto& sum : sums) {
     energy += sum->energy;
     sum->by_line.add_to_nodes(state, by_node);
@@ -289,17 +289,17 @@ Line line_of(const RodState& state, Index edge) {
   return {(a + b) / 2, b - a, open && edge == 0, open && edge == state.edge_count() - 1};
 }
 
-double add_contact_energy(const LineKernel& kernel, const RodState& state,
+Energy add_contact_energy(const LineKernel& kernel, const RodState& state,
                           std::span<const EdgeFour> pairs, Points& by_node) {
   Unlisted sink;
   return sum_pairs(kernel, state, pairs, by_node, sink);
 }
 
-double add_contact_energy(const LineKernel& kernel, const RodState& state,
+Energy add_contact_energy(const LineKernel& kernel, const RodState& state,
                           std::span<const EdgeFour> pairs, Points& by_node,
                           std::vector<SelfContact>& touching) {
   Listed sink;
-  const double energy = sum_pairs(kernel, state, pairs, by_node, sink);
+  const Energy energy = sum_pairs(kernel, state, pairs, by_node, sink);
   touching = std::move(sink.touching);
   return energy;
 }

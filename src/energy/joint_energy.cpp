@@ -21,8 +21,6 @@ double guide(const RodState& state, Index node) {
   return state.twist_guide[static_cast<std::size_t>(node)];
 }
 
-}  // namespace
-
 struct Tangent {
   Triple<double> direction;
   double inverse_length;
@@ -66,9 +64,9 @@ void for_each_other_joint(const RodState& state, F&& f) {
   });
 }
 
-double add_bending_of_tangents(const RodState& state, const RodParams& params, double stiffness,
+Energy add_bending_of_tangents(const RodState& state, const RodParams& params, double stiffness,
                                Gradient& gradient) {
-  LaneSum energy;
+  EnergySum energy;
   const Index inner = std::max<Index>(0, state.node_count() - 3);
   Points by_before(3, inner), by_after(3, inner);
   for_each_in_lanes(0, inner, [&]<class T>(Index j) {
@@ -92,16 +90,18 @@ double add_bending_of_tangents(const RodState& state, const RodParams& params, d
   return energy.total();
 }
 
+}  // namespace
+
 JointEnergy::JointEnergy(const RodParams& params, const Stiffness& stiffness)
     : params_(params), stiffness_(joint_stiffness(stiffness)) {}
 
 bool JointEnergy::of_tangents_alone() const { return stiffness_.z() == 0 && is_straight(params_); }
 
-double JointEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
+Energy JointEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
   if (of_tangents_alone()) {
     return add_bending_of_tangents(state, params_, stiffness_.x(), gradient);
   }
-  LaneSum energy;
+  EnergySum energy;
   const Index inner = std::max<Index>(0, state.node_count() - 3);
   Points rest(3, inner), by_spin(3, inner);
   const bool uniform = params_.reference_shape.empty();

@@ -15,14 +15,14 @@ double EdgeMoment::angle(const RodState& state) const {
 LoadEnergy::LoadEnergy(const RodParams& params, Loads loads)
     : params_(params), loads_(std::move(loads)) {}
 
-double LoadEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  double energy = 0;
+Energy LoadEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
+  EnergySum energy;
   for (const NodeForce& load : loads_.forces) {
-    energy -= load.force.dot(state.nodes.col(load.node));
+    energy.add(-load.force.dot(state.nodes.col(load.node)));
     gradient.node.col(load.node) -= load.force;
   }
   for (const EdgeMoment& load : loads_.moments) {
-    energy -= load.moment * load.angle(state);
+    energy.add(-load.moment * load.angle(state));
     const Quat turn =
         state.frames[static_cast<std::size_t>(load.edge)] * load.reference.conjugate();
     // angle = 2 atan2(v.n, w), d(w, v) = 1/2 (-spin.v, w spin + spin x v)
@@ -36,12 +36,12 @@ double LoadEnergy::add_gradient(const RodState& state, Gradient& gradient) const
     for (Index i = 0; i < state.node_count(); ++i) {
       const double length = node_length(state, params_, i);
       const double work = loads_.weight.dot(state.nodes.col(i));
-      energy -= length * work;
+      energy.add(-length * work);
       gradient.node.col(i) -= length * loads_.weight;
       gradient.inlet_length -= node_length_by_inlet(state, i) * work;
     }
   }
-  return energy;
+  return energy.total();
 }
 
 }  // namespace wirepack

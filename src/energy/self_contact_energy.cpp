@@ -24,11 +24,11 @@ bool SelfContactEnergy::prepare(const RodState& state) {
   return true;
 }
 
-double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
+Energy SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
   return add_contact_energy(kernel_, state, list_.fours(), gradient.node);
 }
 
-double SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient,
+Energy SelfContactEnergy::add_gradient(const RodState& state, Gradient& gradient,
                                        std::vector<SelfContact>& contacts) const {
   return add_contact_energy(kernel_, state, list_.fours(), gradient.node, contacts);
 }

@@ -152,23 +152,23 @@ Index SlipPotential::join(const RodState& before, const RodState& now,
   return static_cast<Index>(joining.size());
 }
 
-double SlipPotential::add_gradient(const RodState& state, Gradient& gradient) const {
-  double energy = 0;
+Energy SlipPotential::add_gradient(const RodState& state, Gradient& gradient) const {
+  EnergySum energy;
   for (const Contact& c : contacts_) {
     const SurfaceAnchor::Slip slip = c.anchor.slip(state, params_);
     const double length = slip.u.norm();
     double factor = c.stiffness;
     if (length <= c.limit) {
-      energy += factor / 2 * length * length;
+      energy.add(factor / 2 * length * length);
     } else {
-      energy += factor * c.limit * (length - c.limit / 2);
+      energy.add(factor * c.limit * (length - c.limit / 2));
       factor *= c.limit / length;
     }
     const Vec3 force = factor * slip.u;
     slip.map.add_force(force, gradient.node, gradient.frame);
     gradient.inlet_length += force.dot(slip.by_inlet_length);
   }
-  return energy;
+  return energy.total();
 }
 
 void SlipPotential::add_curvature(const RodState& state, CurvatureModel& model) const {

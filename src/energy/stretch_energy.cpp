@@ -28,8 +28,8 @@ Spring<T> spring(const Triple<T>& edge, double rest, double stiffness) {
 
 }  // namespace
 
-double StretchEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  LaneSum energy;
+Energy StretchEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
+  EnergySum energy;
   const Index last = state.edge_count() - 1;
   Points by_edge(3, last + 1);
   const auto add = [&]<class T>(Index j, const Spring<T>& s) {

@@ -10,8 +10,8 @@ namespace wirepack {
 WallEnergy::WallEnergy(const RodParams& params, const SphericalCavity& cavity, double stiffness)
     : params_(params), cavity_(cavity), stiffness_(stiffness) {}
 
-double WallEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
-  LaneSum energy;
+Energy WallEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
+  EnergySum energy;
   const auto add = [&]<class T>(Index i, double length) {
     using std::sqrt;
     const Triple<T> r = load_columns<T>(state.nodes, i);

@@ -9,7 +9,7 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/random.hpp"
 #include "wirepack/dynamics/gear_integrator.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/feed/feeder.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
@@ -71,13 +71,13 @@ void settle(RodState& rod, const HeldUnknowns& held, const Scenario& scenario) {
   const StretchEnergy stretch(scenario.wire);
   const JointEnergy joints(scenario.wire);
   const WallEnergy wall(scenario.wire, scenario.cavity, scenario.wall_stiffness);
-  TotalEnergy energy(stretch, joints, wall);
+  EnergyTerms energy{stretch, joints, wall};
   const double bend = stiffness(scenario.wire).bend;
   const double force = scenario.minimizer.tolerance * force_unit(scenario);
   const EquilibriumOptions options{force, force * scenario.wire.radius,
                                    scenario.minimizer.shift * bend, scenario.minimizer};
   RodState settled = rod;
-  const EquilibriumReport report = solve_equilibrium(settled, held, functions_of(energy), options);
+  const EquilibriumReport report = solve_equilibrium(settled, held, energy, options);
   if (report.end == EquilibriumEnd::converged) rod = std::move(settled);
 }
 

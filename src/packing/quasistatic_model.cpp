@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "wirepack/contact/passage.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/rod/rest_strain.hpp"
 
 namespace wirepack {
@@ -47,13 +47,10 @@ EquilibriumReport solve(const Scenario& scenario, QuasistaticModel& model, RodSt
     held.angle.assign(held.angle.size(), true);
     held.frames_follow = false;
   }
-  if (scenario.contact_enabled) {
-    TotalEnergy energy(model.stretch, model.joints, model.wall, model.contact, model.friction);
-    report = solve_equilibrium(rod, held, functions_of(energy), options);
-  } else {
-    TotalEnergy energy(model.stretch, model.joints, model.wall, model.friction);
-    report = solve_equilibrium(rod, held, functions_of(energy), options);
-  }
+  EnergyTerms energy{model.stretch, model.joints, model.wall};
+  if (scenario.contact_enabled) energy.add(model.contact);
+  if (scenario.friction.model != FrictionModel::none) energy.add(model.friction);
+  report = solve_equilibrium(rod, held, energy, options);
   if (torsion_free(scenario)) remove_twist(rod);
   return report;
 }

@@ -4,7 +4,7 @@ namespace wirepack {
 
 namespace {
 
-double energy_at(const RodState& state, const EnergyFunctions& energy) {
+Energy energy_at(const RodState& state, const EnergyTerms& energy) {
   Gradient unused;
   set_zero(unused, state);
   energy.prepare(state);
@@ -14,8 +14,8 @@ double energy_at(const RodState& state, const EnergyFunctions& energy) {
 }  // namespace
 
 GradientCheck check_gradient(const RodState& state, const HeldUnknowns& held,
-                             const EnergyFunctions& energy, const Eigen::VectorXd& offset,
-                             double difference) {
+                             const EnergyTerms& energy, const Eigen::VectorXd& offset,
+                             double spacing) {
   const FrameChart chart(state, held);
   const Eigen::VectorXd x0 = chart.unknowns() + offset;
   RodState moved = chart.reference();
@@ -30,28 +30,28 @@ GradientCheck check_gradient(const RodState& state, const HeldUnknowns& held,
   Eigen::VectorXd numeric(chart.size());
   for (Index k = 0; k < chart.size(); ++k) {
     Eigen::VectorXd x = x0;
-    x[k] = x0[k] + difference;
+    x[k] = x0[k] + spacing;
     chart.set_state(x, moved);
-    const double above = energy_at(moved, energy);
-    x[k] = x0[k] - difference;
+    const Energy above = energy_at(moved, energy);
+    x[k] = x0[k] - spacing;
     chart.set_state(x, moved);
-    numeric[k] = (above - energy_at(moved, energy)) / (2 * difference);
+    numeric[k] = difference(above, energy_at(moved, energy)) / (2 * spacing);
   }
   const double largest = analytic.cwiseAbs().maxCoeff();
   return {largest, (analytic - numeric).cwiseAbs().maxCoeff() / largest};
 }
 
-GradientCheck check_inlet_derivative(const RodState& state, const EnergyFunctions& energy,
-                                     double difference) {
+GradientCheck check_inlet_derivative(const RodState& state, const EnergyTerms& energy,
+                                     double spacing) {
   Gradient gradient;
   set_zero(gradient, state);
   energy.prepare(state);
   energy.add_gradient(state, gradient);
   RodState longer = state, shorter = state;
-  longer.inlet_rest_length += difference;
-  shorter.inlet_rest_length -= difference;
+  longer.inlet_rest_length += spacing;
+  shorter.inlet_rest_length -= spacing;
   const double numeric =
-      (energy_at(longer, energy) - energy_at(shorter, energy)) / (2 * difference);
+      difference(energy_at(longer, energy), energy_at(shorter, energy)) / (2 * spacing);
   const double analytic = gradient.inlet_length;
   return {std::abs(analytic), std::abs(analytic - numeric) / std::abs(analytic)};
 }

@@ -23,9 +23,9 @@ std::vector<KnownProblem> released_helix() {
   held.angle[static_cast<std::size_t>(state.first_clamp_frame())] = true;
   StretchEnergy stretch(params);
   JointEnergy joints(params);
-  TotalEnergy total(stretch, joints);
+  EnergyTerms total{stretch, joints};
   const double start = joint_energies(params, state).bend;
-  const EquilibriumReport report = find_rest(state, held, functions_of(total), {1e-6, 1e-6}, 1);
+  const EquilibriumReport report = find_rest(state, held, total, {1e-6, 1e-6}, 1);
   // second differences of points on a helix point to its axis
   const auto towards_axis = [&](Index k) -> Vec3 {
     return state.nodes.col(k + 1) - 2 * state.nodes.col(k) + state.nodes.col(k - 1);
@@ -78,8 +78,8 @@ std::vector<KnownProblem> bathe_cantilever() {
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   LoadEnergy load(params, loads);
-  TotalEnergy total(stretch, joints, load);
-  find_rest(state, held, functions_of(total), {1e-3 * force, 1e-2 * force}, 1e7 / 12);
+  EnergyTerms total{stretch, joints, load};
+  find_rest(state, held, total, {1e-3 * force, 1e-2 * force}, 1e7 / 12);
   constexpr std::string_view why = "order 2: 0.02 % at 40 edges";
   return {
       {"45 degree cantilever: tip along the clamp", 47.15129, state.nodes(0, edges), 1e-3, why},

@@ -40,7 +40,7 @@ void add_checks(std::vector<KnownProblem>& found, const RodState& state, Energy&
   Random random(23);
   Eigen::VectorXd offset(FrameChart(state, held).size());
   for (double& x : offset) x = 0.02 * random.symmetric();
-  const EnergyFunctions functions = functions_of(energy);
+  const EnergyTerms functions = EnergyTerms{energy};
   const GradientCheck check = check_gradient(state, held, functions, offset, 1e-6);
   // an energy that is flat here would pass without being looked at
   const double error = check.largest_derivative > 1e-3 ? check.relative_error : 1;
@@ -69,8 +69,8 @@ std::vector<KnownProblem> gradient_problems() {
   add_checks(found, state, wall);
   add_checks(found, state, contact);
   add_checks(found, state, load);
-  TotalEnergy total(stretch, joints, wall, contact, load);
-  const GradientCheck inlet = check_inlet_derivative(state, functions_of(total), 1e-6);
+  EnergyTerms total{stretch, joints, wall, contact, load};
+  const GradientCheck inlet = check_inlet_derivative(state, total, 1e-6);
   found.push_back({"derivative by the inserted length, error", 0, inlet.relative_error, 1e-6,
                    "differences over 1e-6 of an energy 100 times as large"});
   return found;

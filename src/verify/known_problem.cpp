@@ -57,7 +57,7 @@ Points polygon_nodes(Index edges, double radius) {
 }
 
 EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held,
-                            const EnergyFunctions& energy, const RestLimits& limits,
+                            const EnergyTerms& energy, const RestLimits& limits,
                             double bend_stiffness) {
   EquilibriumOptions options{};
   options.force_tolerance = limits.force;

@@ -73,9 +73,9 @@ double energy_in_ball(RodState& state, const RodParams& params, const SphericalC
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   WallEnergy wall(params, cavity, wall_stiffness);
-  TotalEnergy total(stretch, joints, wall);
+  EnergyTerms total{stretch, joints, wall};
   const double bend = stiffness(params).bend, r = cavity.radius;
-  return find_rest(state, HeldUnknowns::none(state), functions_of(total),
+  return find_rest(state, HeldUnknowns::none(state), total,
                    {1e-6 * bend / (r * r), 1e-6 * bend / r}, bend)
       .energy;
 }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 #include "wirepack/verify/known_problem.hpp"
 
@@ -32,7 +32,7 @@ struct RestLimits {
 };
 /// Moves the state to rest; throws NumericalFailure when none is found.
 EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held,
-                            const EnergyFunctions& energy, const RestLimits& limits,
+                            const EnergyTerms& energy, const RestLimits& limits,
                             double bend_stiffness);
 
 }  // namespace wirepack

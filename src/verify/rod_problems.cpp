@@ -40,7 +40,7 @@ KnownProblem torsion() {
   for (int step = 0; step < 30; ++step) {
     state.frames[last] = rotation_about(Vec3::UnitZ(), 2 * pi / 3) * state.frames[last];
     state.twist_guide.back() += 2 * pi / 3;
-    report = find_rest(state, held, functions_of(joints), {1e-6, 1e-6}, 1);
+    report = find_rest(state, held, EnergyTerms{joints}, {1e-6, 1e-6}, 1);
   }
   const double twist = 2 * pi * turns;
   return {"torsion by ten turns: energy", stiffness(params).twist * twist * twist / (2 * length),
@@ -82,8 +82,8 @@ KnownProblem closing_moment() {
     StretchEnergy stretch(params);
     JointEnergy joints(params);
     LoadEnergy load(params, loads);
-    TotalEnergy total(stretch, joints, load);
-    find_rest(state, held, functions_of(total), {1e-3, 1e-4}, 1);
+    EnergyTerms total{stretch, joints, load};
+    find_rest(state, held, total, {1e-3, 1e-4}, 1);
     moment.angle_guide = moment.angle(state);
   }
   // the last edge is half an edge short of the end; turns are exact to (turn per edge)^2 / 3
@@ -122,8 +122,8 @@ std::vector<KnownProblem> elastica_problems() {
     held.hold_node(edges);
     StretchEnergy stretch(params);
     JointEnergy joints(params);
-    TotalEnergy total(stretch, joints);
-    find_rest(state, held, functions_of(total), {2e-3, 1e-4}, 1);
+    EnergyTerms total{stretch, joints};
+    find_rest(state, held, total, {2e-3, 1e-4}, 1);
     Gradient gradient;
     set_zero(gradient, state);
     total.add_gradient(state, gradient);
@@ -159,7 +159,7 @@ Eigen::MatrixXd ring_hessian(Index edges, double turns) {
   held.angle[0] = true;  // and the spin of the whole wire
   StretchEnergy stretch(params);
   JointEnergy joints(params);
-  TotalEnergy total(stretch, joints);
+  EnergyTerms total{stretch, joints};
   const FrameChart chart(ring, held);
   RodState moved = chart.reference();
   Gradient gradient;

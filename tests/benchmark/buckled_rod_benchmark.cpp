@@ -6,7 +6,7 @@
 
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
 namespace {
@@ -69,7 +69,7 @@ void buckled_rod(benchmark::State& bench, Start start) {
   const HeldUnknowns held = held_ends(start_rod);
   StretchEnergy stretch(params);
   JointEnergy joints(params);
-  TotalEnergy energy(stretch, joints);
+  EnergyTerms energy{stretch, joints};
   const double bend = stiffness(params).bend;
   EquilibriumOptions options{};
   options.force_tolerance = tolerance * bend / (length * length);
@@ -80,7 +80,7 @@ void buckled_rod(benchmark::State& bench, Start start) {
   RodState rod;
   for (auto _ : bench) {
     rod = start_rod;
-    report = solve_equilibrium(rod, held, functions_of(energy), options);
+    report = solve_equilibrium(rod, held, energy, options);
   }
   if (report.end != EquilibriumEnd::converged) bench.SkipWithError("has not converged");
   bench.counters["evaluations"] = static_cast<double>(report.work.evaluations);

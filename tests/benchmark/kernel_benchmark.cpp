@@ -8,7 +8,7 @@
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/packing/quasistatic_packing.hpp"
 #include "wirepack/rod/turning_chart.hpp"
@@ -105,7 +105,7 @@ struct Descent {
     return {2 * scenario.wire.radius, scenario.wire.edge_length,
             scenario.contact.excluded_arc_length};
   }
-  auto energy() { return TotalEnergy(stretch, joints, wall, contact); }
+  auto energy() { return EnergyTerms{stretch, joints, wall, contact}; }
   double shift() const { return scenario.minimizer.shift * stiffness(scenario.wire).bend; }
   Eigen::SparseMatrix<double> curvature() {
     CurvatureModel model(chart, 0.7);  // as packings take it
@@ -183,7 +183,7 @@ double evaluate(const Descent& descent, const Energy& energy, const Eigen::Vecto
 
 void elastic_gradient(benchmark::State& bench, Torsion torsion) {
   Descent descent(bench, torsion);
-  const TotalEnergy energy(descent.stretch, descent.joints);
+  const EnergyTerms energy{descent.stretch, descent.joints};
   Gradient gradient;
   Eigen::VectorXd by_x;
   for (auto _ : bench) {
@@ -221,7 +221,7 @@ void full_gradient(benchmark::State& bench, Torsion torsion) {
 
 void turning_chart(benchmark::State& bench, Torsion torsion) {
   Descent descent(bench, torsion);
-  const TotalEnergy energy(descent.stretch, descent.joints);
+  const EnergyTerms energy{descent.stretch, descent.joints};
   TurningChart turning(descent.chart, descent.scenario.cavity.radius);
   const Eigen::VectorXd step = descent.x - descent.chart.unknowns();
   Gradient gradient;

@@ -44,8 +44,8 @@ EquilibriumReport rest(RodState& state, const RodParams& params, const Spherical
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   WallEnergy wall = firm_wall(params, cavity);
-  TotalEnergy total(stretch, joints, wall);
-  return solve_equilibrium(state, HeldUnknowns::none(state), functions_of(total),
+  EnergyTerms total{stretch, joints, wall};
+  return solve_equilibrium(state, HeldUnknowns::none(state), total,
                            tight_options(params, cavity.radius));
 }
 
@@ -150,9 +150,9 @@ TEST(RodOnTheWall, SinksInByItsWeightOverTheStiffnessForAnyMesh) {
     LoadEnergy load(params, Loads{.forces = {}, .moments = {}, .weight = Vec3(0, 0, -weight)});
     StretchEnergy stretch(params);
     JointEnergy joints(params);
-    TotalEnergy total(stretch, joints, wall, load);
+    EnergyTerms total{stretch, joints, wall, load};
     const EquilibriumReport report = solve_equilibrium(
-        state, HeldUnknowns::none(state), functions_of(total), tight_options(params, 1));
+        state, HeldUnknowns::none(state), total, tight_options(params, 1));
     EXPECT_EQ(report.end, EquilibriumEnd::converged) << report.residual;
     const Eigen::VectorXd forces = wall.forces(state);
     const double per_node = weight * params.edge_length;

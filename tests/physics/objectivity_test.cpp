@@ -3,7 +3,7 @@
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 
 #include "../support/sample_rods.hpp"
 

@@ -7,7 +7,7 @@
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/load_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
 namespace wirepack::testing {
@@ -40,7 +40,7 @@ struct RestTolerance {
 /// are rounded to 1e-16 E, so it leaves forces of sqrt(1e-16 E k), k the stiffest spring: too much
 /// for the reactions of a nearly inextensible rod. Derivatives of the exact gradient by
 /// differences; the matrix must be positive definite, so a saddle is not taken for a rest.
-inline void polish(RodState& state, const HeldUnknowns& held, const EnergyFunctions& energy,
+inline void polish(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
                    double edge_length, RestTolerance tolerance) {
   double worst = HUGE_VAL;
   for (int step = 0; step < 6; ++step) {
@@ -88,9 +88,9 @@ inline EquilibriumReport solver_rest(RodState& state, const HeldUnknowns& held,
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   LoadEnergy load(params, loads);
-  TotalEnergy total(stretch, joints, load);
+  EnergyTerms total{stretch, joints, load};
   const EquilibriumReport report =
-      solve_equilibrium(state, held, functions_of(total),
+      solve_equilibrium(state, held, total,
                         {tolerance.force, tolerance.moment, 1e-6 * stiffness(params).bend, {}});
   EXPECT_LE(report.residual, 1) << "after " << report.work.evaluations << " evaluations, stalled: "
                                 << (report.end == EquilibriumEnd::stalled);
@@ -106,8 +106,8 @@ inline EquilibriumReport rest(RodState& state, const HeldUnknowns& held, const R
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   LoadEnergy load(params, loads);
-  TotalEnergy total(stretch, joints, load);
-  polish(state, held, functions_of(total), params.edge_length, tolerance);
+  EnergyTerms total{stretch, joints, load};
+  polish(state, held, total, params.edge_length, tolerance);
   return report;
 }
 

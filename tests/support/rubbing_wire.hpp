@@ -8,7 +8,7 @@
 #include "wirepack/energy/load_energy.hpp"
 #include "wirepack/energy/slip_potential.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
@@ -36,10 +36,10 @@ struct RubbingWire {
     slip.start(rod, {}, wall.forces(rod), memory);
     change();
     LoadEnergy load(params, loads);
-    TotalEnergy total(stretch, joints, wall, load, slip);
+    EnergyTerms total{stretch, joints, wall, load, slip};
     EquilibriumOptions options{
         tolerance, tolerance * params.radius, 1e-6 * stiffness(params).bend, {}};
-    const EquilibriumReport report = solve_equilibrium(rod, held, functions_of(total), options);
+    const EquilibriumReport report = solve_equilibrium(rod, held, total, options);
     EXPECT_LE(report.residual, 1) << "after " << report.work.evaluations << " evaluations";
     memory = slip.memory(rod);
     dissipated += slip.work(rod).dissipated;

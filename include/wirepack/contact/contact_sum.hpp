@@ -5,6 +5,7 @@
 
 #include "wirepack/contact/line_contact.hpp"
 #include "wirepack/contact/neighbor_list.hpp"
+#include "wirepack/core/energy.hpp"
 #include "wirepack/rod/rod_state.hpp"
 
 namespace wirepack {
@@ -23,10 +24,10 @@ struct SelfContact {
 /// Energy of all pairs; adds its derivative by the nodes (3 x N). The same as LineKernel::energy of
 /// each pair, but four pairs at a time. Summed in the order of the pairs, those with a free end behind
 /// all others; pairs that do not touch change no bit.
-double add_contact_energy(const LineKernel& kernel, const RodState& state,
+Energy add_contact_energy(const LineKernel& kernel, const RodState& state,
                           std::span<const EdgeFour> pairs, Points& by_node);
 /// The same, and replaces `touching` by the pairs that touch, in the order of the sum.
-double add_contact_energy(const LineKernel& kernel, const RodState& state,
+Energy add_contact_energy(const LineKernel& kernel, const RodState& state,
                           std::span<const EdgeFour> pairs, Points& by_node,
                           std::vector<SelfContact>& touching);
 

@@ -3,13 +3,15 @@
 #include <concepts>
 #include <string_view>
 
+#include "wirepack/core/energy.hpp"
 #include "wirepack/energy/curvature_model.hpp"
 #include "wirepack/energy/gradient.hpp"
 #include "wirepack/rod/rod_state.hpp"
 
 namespace wirepack {
 
-/// An energy of a state. `add_gradient` returns the energy and adds its exact derivatives, the
+/// An energy of a state. `add_gradient` returns the energy (with the round-off of its sum, or a plain
+/// number) and adds its exact derivatives, the
 /// explicit one by the inlet rest length included; `add_curvature` adds a model of the second
 /// derivative, positive semidefinite where its exactness is 0. A term sees no solver and no unknowns.
 /// A new term comes with: a closed form, a gradient check against differences, and invariance under
@@ -18,7 +20,7 @@ template <class T>
 concept EnergyTerm = requires(const T& term, const RodState& state, Gradient& gradient,
                               CurvatureModel& model) {
   { T::name } -> std::convertible_to<std::string_view>;
-  { term.add_gradient(state, gradient) } -> std::same_as<double>;
+  { term.add_gradient(state, gradient) } -> std::convertible_to<Energy>;
   term.add_curvature(state, model);
 };
 

@@ -23,7 +23,7 @@ class JointEnergy {
   /// torsion is known to vanish: if it is straight at rest, its energy is a function of the nodes and
   /// the clamps alone, and the edge frames are not read.
   JointEnergy(const RodParams& params, const Stiffness& stiffness);
-  double add_gradient(const RodState& state, Gradient& gradient) const;
+  Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
 
  private:

@@ -39,7 +39,7 @@ class LoadEnergy {
  public:
   static constexpr std::string_view name = "load";
   LoadEnergy(const RodParams& params, Loads loads);
-  double add_gradient(const RodState& state, Gradient& gradient) const;
+  Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState&, CurvatureModel&) const {}  // linear, but for the moments
 
  private:

@@ -26,9 +26,9 @@ class SelfContactEnergy {
   SelfContactEnergy(const RodParams& params, const ContactParams& contact);
   /// Makes a new neighbor list where the last two do not cover the state; returns whether.
   bool prepare(const RodState& state);
-  double add_gradient(const RodState& state, Gradient& gradient) const;
+  Energy add_gradient(const RodState& state, Gradient& gradient) const;
   /// The same, and replaces `contacts` by what touches, in no particular but always the same order.
-  double add_gradient(const RodState& state, Gradient& gradient,
+  Energy add_gradient(const RodState& state, Gradient& gradient,
                       std::vector<SelfContact>& contacts) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
   /// What touches, sorted by pairs.

@@ -51,7 +51,7 @@ class SlipPotential {
   Index join(const RodState& before, const RodState& now, std::span<const SelfContact> touches,
              const Eigen::VectorXd& wall_forces);
 
-  double add_gradient(const RodState& state, Gradient& gradient) const;
+  Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
 
   SlipWork work(const RodState& state) const;

@@ -11,7 +11,7 @@ class StretchEnergy {
  public:
   static constexpr std::string_view name = "stretch";
   explicit StretchEnergy(const RodParams& params);
-  double add_gradient(const RodState& state, Gradient& gradient) const;
+  Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
 
  private:

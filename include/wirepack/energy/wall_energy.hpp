@@ -14,7 +14,7 @@ class WallEnergy {
  public:
   static constexpr std::string_view name = "wall";
   WallEnergy(const RodParams& params, const SphericalCavity& cavity, double stiffness);
-  double add_gradient(const RodState& state, Gradient& gradient) const;
+  Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
   /// Force of the wall on each node (N), >= 0.
   Eigen::VectorXd forces(const RodState& state) const;

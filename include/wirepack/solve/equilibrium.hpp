@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/rod/frame_chart.hpp"
 #include "wirepack/rod/rod_state.hpp"
 #include "wirepack/solve/solver_work.hpp"
@@ -57,7 +57,7 @@ struct EquilibriumReport {
 /// found, also when it has not converged.
 /// Throws NumericalFailure if even the start has no finite energy.
 EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
-                                    const EnergyFunctions& energy,
+                                    const EnergyTerms& energy,
                                     const EquilibriumOptions& options);
 
 }  // namespace wirepack

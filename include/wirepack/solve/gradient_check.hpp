@@ -1,6 +1,6 @@
 #pragma once
 
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/rod/frame_chart.hpp"
 
 namespace wirepack {
@@ -14,11 +14,11 @@ struct GradientCheck {
 /// In all unknowns of a chart of `state`, taken at a point away from the chart's reference by
 /// `offset` (one number per unknown), so that the terms of a moved chart are checked too.
 GradientCheck check_gradient(const RodState& state, const HeldUnknowns& held,
-                             const EnergyFunctions& energy, const Eigen::VectorXd& offset,
-                             double difference);
+                             const EnergyTerms& energy, const Eigen::VectorXd& offset,
+                             double spacing);
 
 /// By the inlet rest length at fixed unknowns: the injection force.
-GradientCheck check_inlet_derivative(const RodState& state, const EnergyFunctions& energy,
-                                     double difference);
+GradientCheck check_inlet_derivative(const RodState& state, const EnergyTerms& energy,
+                                     double spacing);
 
 }  // namespace wirepack

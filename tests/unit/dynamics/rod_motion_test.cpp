@@ -7,7 +7,7 @@
 #include "wirepack/dynamics/gear_integrator.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 
 namespace wirepack {
 namespace {
@@ -28,7 +28,7 @@ struct Wire {
   }
 
   void set(Rates& out, const DynamicState& at) {
-    TotalEnergy total(stretch, joints);
+    EnergyTerms total{stretch, joints};
     set_zero(gradient, at.rod);
     elastic = total.add_gradient(at.rod, gradient);
     for (Index i = 0; i < inertia.mass.size(); ++i) {

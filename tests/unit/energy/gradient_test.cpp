@@ -38,7 +38,7 @@ Eigen::VectorXd small_offset(const RodState& state, std::uint64_t seed) {
 
 template <EnergyTerm Energy>
 void expect_exact_gradient(const RodState& state, Energy& energy) {
-  const auto functions = functions_of(energy);
+  const auto functions = EnergyTerms{energy};
   const GradientCheck check =
       check_gradient(state, HeldUnknowns::none(state), functions, small_offset(state, 7), 1e-6);
   EXPECT_GT(check.largest_derivative, 1e-3);
@@ -47,7 +47,7 @@ void expect_exact_gradient(const RodState& state, Energy& energy) {
 
 template <EnergyTerm Energy>
 void expect_exact_inlet_derivative(const RodState& state, Energy& energy) {
-  const GradientCheck check = check_inlet_derivative(state, functions_of(energy), 1e-6);
+  const GradientCheck check = check_inlet_derivative(state, EnergyTerms{energy}, 1e-6);
   EXPECT_GT(check.largest_derivative, 1e-4);
   EXPECT_LT(check.relative_error, 1e-6);  // one number, so no larger one hides its rounding
 }
@@ -132,7 +132,7 @@ TEST(EnergyGradient, SelfContactMatchesDifferencesAtAnyAngleAndAtTheEnds) {
     for (const double shift : {0.0, 0.3, -0.45}) {
       const RodState state = hairpin(angle, shift, 1.7);
       SelfContactEnergy energy(RodParams{}, ContactParams{});
-      const auto functions = functions_of(energy);
+      const auto functions = EnergyTerms{energy};
       const GradientCheck check = check_gradient(state, HeldUnknowns::none(state), functions,
                                                  0.2 * small_offset(state, 21), 1e-6);
       EXPECT_GT(check.largest_derivative, 1e-2) << angle << " " << shift;

@@ -5,7 +5,7 @@
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 
 #include "../../support/sample_rods.hpp"
@@ -18,7 +18,7 @@ using testing::random_rod;
 // The full matrix of a curvature model.
 template <EnergyTerm Energy>
 Eigen::MatrixXd model_of(const FrameChart& chart, Energy& energy, double exactness) {
-  functions_of(energy).prepare(chart.reference());
+  EnergyTerms{energy}.prepare(chart.reference());
   CurvatureModel model(chart, exactness);
   energy.add_curvature(chart.reference(), model);
   return Eigen::MatrixXd(model.lower_triangle(0)).selfadjointView<Eigen::Lower>();
@@ -27,7 +27,7 @@ Eigen::MatrixXd model_of(const FrameChart& chart, Energy& energy, double exactne
 // Central differences of the gradient in the unknowns of the chart.
 template <EnergyTerm Energy>
 Eigen::MatrixXd hessian_of(const FrameChart& chart, Energy& energy) {
-  functions_of(energy).prepare(chart.reference());
+  EnergyTerms{energy}.prepare(chart.reference());
   const double difference = 1e-5;
   Eigen::MatrixXd result(chart.size(), chart.size());
   RodState state = chart.reference();

@@ -67,7 +67,7 @@ void expect_exact_gradients(double poisson_ratio, bool bend) {
       Random random(seed);
       Eigen::VectorXd offset(FrameChart(state, none).size());
       for (double& v : offset) v = 0.1 * random.symmetric();
-      const GradientCheck check = check_gradient(state, none, functions_of(energy), offset, 1e-6);
+      const GradientCheck check = check_gradient(state, none, EnergyTerms{energy}, offset, 1e-6);
       EXPECT_GT(check.largest_derivative, 0.1);
       EXPECT_LT(check.relative_error, 1e-7);  // rounding 1e-16 N over 1e-6, and 1e-12
     }
@@ -92,7 +92,7 @@ TEST(JointGradient, OfWholeTurnsOfTwistMatchesDifferences) {
   }
   const HeldUnknowns none = HeldUnknowns::none(state);
   const Eigen::VectorXd offset = Eigen::VectorXd::Zero(FrameChart(state, none).size());
-  const GradientCheck check = check_gradient(state, none, functions_of(energy), offset, 1e-5);
+  const GradientCheck check = check_gradient(state, none, EnergyTerms{energy}, offset, 1e-5);
   EXPECT_GT(check.largest_derivative, 30);  // GJ 4 pi / l = 37
   EXPECT_LT(check.relative_error, 1e-7);    // rounding 1e-16 1000 over 1e-5 and 30, and 1e-10
 }

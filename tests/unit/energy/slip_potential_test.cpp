@@ -123,7 +123,7 @@ TEST(SlipPotential, GradientMatchesDifferencesForStuckAndSlidingContacts) {
         Eigen::VectorXd offset(chart.size());
         for (double& v : offset) v = step * random.symmetric();
         const GradientCheck check =
-            check_gradient(rod, HeldUnknowns::none(rod), functions_of(potential), offset, 1e-7);
+            check_gradient(rod, HeldUnknowns::none(rod), EnergyTerms{potential}, offset, 1e-7);
         EXPECT_GT(check.largest_derivative, 0.05);
         // central differences over 1e-7: rounding 1e-16 / 1e-7, and kinks of the second derivative
         EXPECT_LT(check.relative_error, 1e-6) << angle << " " << step;
@@ -142,7 +142,7 @@ TEST(SlipPotential, DerivativeByTheFedLengthMatchesDifferences) {
   RodState fed = touching.rod;
   for (const double length : {1.001, 1.3}) {  // stuck, sliding
     fed.inlet_rest_length = length;
-    const GradientCheck check = check_inlet_derivative(fed, functions_of(potential), 1e-6);
+    const GradientCheck check = check_inlet_derivative(fed, EnergyTerms{potential}, 1e-6);
     EXPECT_GT(check.largest_derivative, 1e-3);
     EXPECT_LT(check.relative_error, 1e-7) << length;
   }

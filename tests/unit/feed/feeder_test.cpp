@@ -5,7 +5,7 @@
 
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
@@ -50,10 +50,10 @@ struct HeldWire {
     held.angle[0] = true;
     StretchEnergy stretch(params);
     JointEnergy joints(params);
-    TotalEnergy energy(stretch, joints);
+    EnergyTerms energy{stretch, joints};
     MinimizerOptions method;
     const auto report =
-        solve_equilibrium(rod, held, functions_of(energy), {1e-9, 1e-9, 4e-6, method});
+        solve_equilibrium(rod, held, energy, {1e-9, 1e-9, 4e-6, method});
     EXPECT_EQ(report.end, EquilibriumEnd::converged);
     return report.energy;
   }

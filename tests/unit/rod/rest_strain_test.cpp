@@ -60,7 +60,7 @@ TEST(RestStrain, GradientAndForceOfInsertionMatchDifferences) {
       RodState state = random_rod(12, params, ends, 5);
       state.inlet_rest_length = inlet;
       JointEnergy energy(params);
-      const auto functions = functions_of(energy);
+      const auto functions = EnergyTerms{energy};
       const FrameChart chart(state, HeldUnknowns::none(state));
       const Eigen::VectorXd offset = Eigen::VectorXd::LinSpaced(chart.size(), -0.1, 0.1);
       const GradientCheck all =

@@ -4,7 +4,7 @@
 
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/total_energy.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 
 #include "../../support/sample_rods.hpp"
@@ -100,7 +100,7 @@ TEST(TurningChart, DerivativesMatchDifferencesWithAndWithoutTurning) {
     StretchEnergy stretch(s.params);
     JointEnergy joints(s.params);
     WallEnergy wall(s.params, SphericalCavity{4}, 5);
-    TotalEnergy total(stretch, joints, wall);
+    EnergyTerms total{stretch, joints, wall};
     RodState state = s.chart.reference();
     Gradient gradient;
     // the energy plus a function of the moves: sum |move|^2

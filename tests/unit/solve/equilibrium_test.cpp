@@ -21,7 +21,7 @@ struct Cantilever {
   StretchEnergy stretch{params};
   JointEnergy joints{params};
   LoadEnergy load{params, Loads{{{0, Vec3(0.02, 0, 0)}}, {}, Vec3::Zero()}};
-  TotalEnergy<StretchEnergy, JointEnergy, LoadEnergy> energy{stretch, joints, load};
+  EnergyTerms energy{stretch, joints, load};
   RodState rod = make_rod(testing::straight_nodes(20, 20), params, {.last_clamped = true});
   EquilibriumOptions options{1e-7, 1e-7, 4e-6, {}, {}, 0};
 
@@ -29,7 +29,7 @@ struct Cantilever {
     HeldUnknowns held = HeldUnknowns::none(rod);
     held.hold_node(20);
     held.angle.back() = true;
-    return solve_equilibrium(rod, held, functions_of(energy), options);
+    return solve_equilibrium(rod, held, energy, options);
   }
 };
 
