@@ -91,7 +91,7 @@ void EquationOfMotion::add_friction_of(const DynamicState& state, FrictionMemory
     for (Index i = 0; i < rod.node_count() - (has_nozzle ? 1 : 0); ++i) {
       const double overlap = -wall_gap(*forces_.cavity, rod.nodes.col(i), forces_.wire.radius);
       if (overlap <= 0) continue;
-      const double stiffness = forces_.wall_stiffness * node_length(rod, forces_.wire, i);
+      const double stiffness = wall_->stiffness(rod, i);
       touches_.push_back(
           {i, -1, wall_slip(rod, i, forces_.wire.radius), stiffness * overlap, stiffness});
     }

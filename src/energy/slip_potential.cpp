@@ -45,7 +45,7 @@ Vec3 point_of(const RodState& state, Index edge, double s) {
   return (0.5 - s) * state.nodes.col(edge) + (0.5 + s) * state.nodes.col(next_node(state, edge));
 }
 
-// Share of the way after which a gap that shrinks from the first to the second, negative one is zero.
+// Share of the straight way after which a gap that shrinks from the first to the second, negative one is zero.
 double way_to_touch(double first, double second) {
   return first > 0 ? first / (first - second) : 0.0;
 }
@@ -97,10 +97,10 @@ void SlipPotential::start(const RodState& state, std::span<const SelfContact> to
   }
 }
 
-Index SlipPotential::join(const RodState& before, const RodState& now,
-                          std::span<const SelfContact> touches,
-                          const Eigen::VectorXd& wall_forces) {
-  if (friction_.model == FrictionModel::none || friction_.static_coefficient == 0) return 0;
+SlipPotential::Joined SlipPotential::join(const RodState& before, const RodState& now,
+                                          std::span<const SelfContact> touches,
+                                          const Eigen::VectorXd& wall_forces, double usual_slip) {
+  if (friction_.model == FrictionModel::none || friction_.static_coefficient == 0) return {};
   const double tolerance = friction_.slip_tolerance * params_.radius;
   std::vector<EdgePair> held;
   for (const Contact& c : contacts_) held.push_back(c.edges);
@@ -119,8 +119,15 @@ Index SlipPotential::join(const RodState& before, const RodState& now,
     });
   };
   std::vector<Contact> joining;
-  const auto add = [&](const EdgePair& edges, double normal_force, const SurfaceAnchor& anchor) {
+  Joined joined;
+  // `anchor_at` puts an anchor where the wire is after a share of the straight way to `now`.
+  const auto add = [&](const EdgePair& edges, double normal_force, double way,
+                       const auto& anchor_at) {
     const double stiffness = friction_.static_coefficient * normal_force / tolerance;
+    SurfaceAnchor anchor = anchor_at(0.0);
+    const bool missed = anchor.slip(now, params_).u.norm() > usual_slip;
+    if (!missed && way > 0) anchor = anchor_at(way);
+    joined.missed |= missed;
     joining.push_back(
         {edges, anchor, stiffness, tolerance, tolerance + anchor.slip(now, params_).u.norm()});
   };
@@ -130,26 +137,58 @@ Index SlipPotential::join(const RodState& before, const RodState& now,
     if (wall_forces[i] <= 0 || is_held({i, wall})) continue;
     const double way = way_to_touch(wall_gap(cavity_, before.nodes.col(i), params_.radius),
                                     wall_gap(cavity_, now.nodes.col(i), params_.radius));
-    if (i > 0) move_edge(i - 1, before, now, way, touch_state);
-    if (i < now.edge_count()) move_edge(i, before, now, way, touch_state);
-    add({i, wall}, wall_forces[i], wall_anchor(touch_state, params_, i, Vec3::Zero()));
+    add({i, wall}, wall_forces[i], way, [&](double share) {
+      if (i > 0) move_edge(i - 1, before, now, share, touch_state);
+      if (i < now.edge_count()) move_edge(i, before, now, share, touch_state);
+      return wall_anchor(touch_state, params_, i, Vec3::Zero());
+    });
   }
   for (const SelfContact& touch : touches) {
     const auto& [i, j] = touch.edges;
     if (is_held(touch.edges)) continue;
     const double s = touch.line.s, t = touch.line.t;
-    const auto gap = [&](const RodState& state) {
-      return (point_of(state, i, s) - point_of(state, j, t)).norm() - 2 * params_.radius;
-    };
-    const double way = way_to_touch(gap(before), -touch.overlap);
-    move_edge(i, before, now, way, touch_state);
-    move_edge(j, before, now, way, touch_state);
-    const Vec3 separation = point_of(touch_state, i, s) - point_of(touch_state, j, t);
-    add(touch.edges, touch.force,
-        strand_anchor(touch_state, params_, i, s, j, t, separation, Vec3::Zero()));
+    const double gap = (point_of(before, i, s) - point_of(before, j, t)).norm();
+    const double way = way_to_touch(gap - 2 * params_.radius, -touch.overlap);
+    add(touch.edges, touch.force, way, [&, i = i, j = j](double share) {
+      move_edge(i, before, now, share, touch_state);
+      move_edge(j, before, now, share, touch_state);
+      const Vec3 separation = point_of(touch_state, i, s) - point_of(touch_state, j, t);
+      return strand_anchor(touch_state, params_, i, s, j, t, separation, Vec3::Zero());
+    });
   }
   contacts_.insert(contacts_.end(), joining.begin(), joining.end());
-  return static_cast<Index>(joining.size());
+  joined.count = static_cast<Index>(joining.size());
+  return joined;
+}
+
+void SlipPotential::hold_joined(Index count) {
+  for (Contact& c : std::span(contacts_).last(static_cast<std::size_t>(count))) {
+    c.stiffness = params_.youngs_modulus * params_.radius;
+    c.limit = HUGE_VAL;
+    c.expected = 0;
+  }
+}
+
+void SlipPotential::release_joined(Index count, std::span<const SelfContact> touches,
+                                   const Eigen::VectorXd& wall_forces) {
+  const double tolerance = friction_.slip_tolerance * params_.radius;
+  for (Contact& c : std::span(contacts_).last(static_cast<std::size_t>(count))) {
+    double normal_force = 0;
+    if (c.edges.second == wall) {
+      normal_force = wall_forces[c.edges.first];
+    } else {
+      const auto found = std::lower_bound(touches.begin(), touches.end(), c.edges,
+                                          [](const SelfContact& t, const EdgePair& edges) {
+                                            return before_in_order(t.edges, edges);
+                                          });
+      if (found != touches.end() && !before_in_order(c.edges, found->edges)) {
+        normal_force = found->force;
+      }
+    }
+    c.stiffness = friction_.static_coefficient * normal_force / tolerance;
+    c.limit = tolerance;
+    c.expected = tolerance;
+  }
 }
 
 Energy SlipPotential::add_gradient(const RodState& state, Gradient& gradient) const {
@@ -176,7 +215,7 @@ void SlipPotential::add_curvature(const RodState& state, CurvatureModel& model) 
     const SurfaceAnchor::Slip slip = c.anchor.slip(state, params_);
     // k f'(v) / v: the parabola through v that lies above f; v is the slip, or what it is expected to be
     const double length = std::max({slip.u.norm(), c.expected, c.limit});
-    const double weight = c.stiffness * c.limit / length;
+    const double weight = length == c.limit ? c.stiffness : c.stiffness * c.limit / length;
     const Vec3 along = slip.map.normal.unitOrthogonal();
     for (const Vec3& direction : {along, Vec3(slip.map.normal.cross(along))}) {
       std::array<CurvatureModel::NodePart, 4> nodes;

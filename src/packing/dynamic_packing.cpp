@@ -44,10 +44,11 @@ StickSlipLaw stick_slip_law(const Scenario& scenario) {
           tangential_share, 2 * tangential_damping_ratio / frequency};
 }
 
-WireForces forces_of(const Scenario& scenario, const Nozzle& nozzle) {
+WireForces forces_of(const PackingModel& model) {
+  const Scenario& scenario = model.scenario;
   WireForces forces;
-  forces.wire = scenario.wire;
-  forces.stiffness = stiffness(scenario.wire);
+  forces.wire = model.wire;
+  forces.stiffness = stiffness(model.wire);
   forces.cavity = scenario.cavity;
   forces.wall_stiffness = scenario.wall_stiffness;
   if (scenario.contact_enabled) forces.contact = scenario.contact;
@@ -55,7 +56,7 @@ WireForces forces_of(const Scenario& scenario, const Nozzle& nozzle) {
     forces.friction = stick_slip_law(scenario);
   }
   forces.damping = dynamics_values(scenario).damping;
-  forces.nozzle_direction = nozzle.direction;
+  forces.nozzle_direction = model.nozzle.direction;
   return forces;
 }
 
@@ -66,17 +67,13 @@ void insert_rows(GearValues& values, Index tail, const GearValues& rows) {
   values = std::move(grown);
 }
 
-// Brings what is not held to rest, where that is found.
-void settle(RodState& rod, const HeldUnknowns& held, const Scenario& scenario) {
-  const StretchEnergy stretch(scenario.wire);
-  const JointEnergy joints(scenario.wire);
-  const WallEnergy wall(scenario.wire, scenario.cavity, scenario.wall_stiffness);
-  EnergyTerms energy{stretch, joints, wall};
-  const double bend = stiffness(scenario.wire).bend;
-  const double force = scenario.minimizer.tolerance * force_unit(scenario);
-  const EquilibriumOptions options{force, force * scenario.wire.radius,
-                                   scenario.minimizer.shift * bend, scenario.minimizer};
+// Brings what is not held to rest, where that is found; strands do not count.
+void settle(RodState& rod, const HeldUnknowns& held, PackingModel& model) {
+  EquilibriumOptions options = model.options;
+  options.guard = {};
   RodState settled = rod;
+  const JointEnergy joints(model.wire);  // the spins move
+  const EnergyTerms energy{model.stretch, joints, model.wall};
   const EquilibriumReport report = solve_equilibrium(settled, held, energy, options);
   if (report.end == EquilibriumEnd::converged) rod = std::move(settled);
 }
@@ -97,14 +94,14 @@ HeldUnknowns all_but_node(const RodState& rod, Index node) {
 // would swing. The derivatives of the new node lie between those of the node behind it and of the wire
 // that comes out of the nozzle; the spin of the edge next to the nozzle between those of the old edge
 // and of the clamp.
-void split_moving_inlet(DynamicState& state, const Nozzle& nozzle, const Scenario& scenario) {
+void split_moving_inlet(DynamicState& state, PackingModel& model) {
   follow_nodes(state);
-  const double share = scenario.wire.edge_length / state.rod.inlet_rest_length;
-  split_inlet(state.rod, nozzle, scenario.wire);
-  settle(state.rod, all_but_node(state.rod, state.rod.node_count() - 2), scenario);
+  const double share = model.wire.edge_length / state.rod.inlet_rest_length;
+  split_inlet(state.rod, model.nozzle, model.wire);
+  settle(state.rod, all_but_node(state.rod, state.rod.node_count() - 2), model);
   const Index clamp = state.nodes.rows() - 3;
   GearValues fed = GearValues::Zero(3, 6);
-  fed.col(1) = -state.step * state.feed_speed * nozzle.direction;
+  fed.col(1) = -state.step * state.feed_speed * model.nozzle.direction;
   GearValues node = (1 - share) * state.nodes.middleRows(clamp - 3, 3) + share * fed;
   node.col(0) = state.rod.nodes.col(state.rod.node_count() - 2);
   insert_rows(state.nodes, 3, node);
@@ -155,25 +152,23 @@ std::string unstable_message(const HistoryRow& row, double step) {
 
 }  // namespace
 
-struct DynamicPacking::Model {
-  Model(const Scenario& scenario, const Nozzle& at)
-      : nozzle(at), values(dynamics_values(scenario)), contact(scenario.wire, scenario.contact) {
+struct DynamicPacking::Model : PackingModel {
+  explicit Model(const Scenario& configured)
+      : PackingModel(configured), values(dynamics_values(scenario)) {
     // a whole number of steps to an increment
     const double time = scenario.insertion.increment / values.insertion_speed;
     step = time / std::ceil(time / values.time_step - 1e-9);
   }
 
-  Nozzle nozzle;
   DynamicsValues values;
-  SelfContactEnergy contact;  // for observation
   double step;
 };
 
 DynamicPacking::DynamicPacking(const Scenario& scenario)
     : DynamicPacking(scenario, PackingProgress{}) {
-  const Scenario& s = scenario_;
-  progress_.rod = initial_wire(model_->nozzle, s.wire, s.wire.edge_length);
-  settle(progress_.rod, held_by(model_->nozzle, progress_.rod), s);
+  const Scenario& s = model_->scenario;
+  progress_.rod = initial_wire(model_->nozzle, model_->wire, model_->wire.edge_length);
+  settle(progress_.rod, held_by(model_->nozzle, progress_.rod), *model_);
   progress_.random_state = s.seed;
   DynamicState state = at_rest(progress_.rod, model_->step);
   // All of the wire is on its way from the start.
@@ -183,9 +178,9 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
   set_velocities(state, velocity,
                  Eigen::VectorXd::Zero(static_cast<Index>(progress_.rod.frames.size())));
   progress_.motion = MotionProgress{state.nodes, state.spins, 0, {}, {}};
-  progress_.last = observe(s, model_->contact, progress_.rod);
-  EquationOfMotion motion(forces_of(s, model_->nozzle), s.density,
-                          held_by(model_->nozzle, progress_.rod), progress_.rod);
+  progress_.last = row_of(*model_, progress_.rod, observe(*model_, progress_.rod));
+  EquationOfMotion motion(forces_of(*model_), s.density, held_by(model_->nozzle, progress_.rod),
+                          progress_.rod);
   Rates rates;
   state.feed_speed = model_->values.insertion_speed;
   motion.set_rates(state, progress_.motion->friction, rates);
@@ -195,12 +190,7 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
 }
 
 DynamicPacking::DynamicPacking(const Scenario& scenario, PackingProgress progress)
-    : scenario_(scenario), progress_(std::move(progress)) {
-  require_valid(scenario);
-  const DrawnSetup drawn = drawn_setup(scenario);
-  scenario_.wire = drawn.wire;
-  model_ = std::make_unique<Model>(scenario_, drawn.nozzle);
-}
+    : model_(std::make_unique<Model>(scenario)), progress_(std::move(progress)) {}
 
 DynamicPacking::~DynamicPacking() = default;
 DynamicPacking::DynamicPacking(DynamicPacking&&) noexcept = default;
@@ -212,22 +202,23 @@ std::optional<StopReason> DynamicPacking::advance() {
   const double speed = model_->values.insertion_speed;
   const double h = model_->step;
   DynamicState state{next.rod, moving.nodes, moving.spins, moving.time, h, speed};
-  EquationOfMotion motion(forces_of(scenario_, nozzle), scenario_.density,
-                          held_by(nozzle, state.rod), state.rod);
+  EquationOfMotion motion(forces_of(*model_), model_->scenario.density, held_by(nozzle, state.rod),
+                          state.rod);
   Rates rates;
 
-  double left = scenario_.insertion.increment;
+  double left = model_->scenario.insertion.increment;
   const auto end_at = [&](double length) {
     left = std::min(left, length - progress_.last.inserted_length);
   };
-  if (scenario_.stop.length) end_at(*scenario_.stop.length);
-  if (scenario_.stop.density) {
-    end_at(length_at_density(*scenario_.stop.density, scenario_.cavity, scenario_.wire.radius));
+  if (model_->scenario.stop.length) end_at(*model_->scenario.stop.length);
+  if (model_->scenario.stop.density) {
+    end_at(length_at_density(*model_->scenario.stop.density, model_->scenario.cavity,
+                             model_->wire.radius));
   }
   const auto steps = std::max<std::int64_t>(1, std::llround(std::ceil(left / (speed * h) - 1e-6)));
   const Index separation =
-      first_touching_neighbor({2 * scenario_.wire.radius, scenario_.wire.edge_length,
-                               scenario_.contact.excluded_arc_length});
+      first_touching_neighbor({2 * model_->wire.radius, model_->wire.edge_length,
+                               model_->scenario.contact.excluded_arc_length});
 
   // Energy of a moment, without moving the memory of friction on.
   const auto flow_now = [&] {
@@ -235,7 +226,7 @@ std::optional<StopReason> DynamicPacking::advance() {
     motion.set_rates(state, unmoved, rates);
     return motion.flow();
   };
-  perturb(scenario_, state, next.random_state);
+  perturb(model_->scenario, state, next.random_state);
   double work = 0, insertion = 0, friction = 0, viscous = 0, remeshing = 0;
   RodState checked = state.rod;
   for (std::int64_t k = 1; k <= steps; ++k) {
@@ -249,16 +240,16 @@ std::optional<StopReason> DynamicPacking::advance() {
     work += h / 2 * (before.feed + before.medium + now.feed + now.medium);
     friction += h / 2 * (before.friction + now.friction);
     viscous += h / 2 * (before.viscous + now.viscous);
-    if (split_is_due(state.rod, longest_inlet * scenario_.wire.edge_length)) {
+    if (split_is_due(state.rod, longest_inlet * model_->wire.edge_length)) {
       follow_nodes(state);
       const EnergyFlow old = flow_now();
       state.rod.twist_guide = joint_twists(state.rod);
-      split_moving_inlet(state, nozzle, scenario_);
+      split_moving_inlet(state, *model_);
       motion.resize(state.rod, held_by(nozzle, state.rod));
       moving.flow = flow_now();
       remeshing += old.stored() - moving.flow.stored();
     }
-    if (scenario_.contact_enabled && (k * passage_checks) % steps < passage_checks) {
+    if (model_->scenario.contact_enabled && (k * passage_checks) % steps < passage_checks) {
       if (!passed_pairs(checked, state.rod, separation).empty()) return StopReason::strands_passed;
       checked = state.rod;
     }
@@ -273,14 +264,14 @@ std::optional<StopReason> DynamicPacking::advance() {
   moving.time = state.time;
   next.work.evaluations += steps;
 
-  HistoryRow row = observe(scenario_, model_->contact, next.rod);
+  HistoryRow row = row_of(*model_, next.rod, observe(*model_, next.rod));
   const double fed = row.inserted_length - progress_.last.inserted_length;
   row.increment = progress_.last.increment + 1;
   row.energy_total = flow.potential + flow.stick;
   row.energy_kinetic = flow.kinetic;
   row.force = insertion / fed;
   row.force_difference = (row.energy_total - progress_.last.energy_total) / fed;
-  row.scaled_force = row.force / force_unit(scenario_);
+  row.scaled_force = row.force / force_unit(model_->scenario);
   row.evaluations = static_cast<double>(steps);
   row.time = state.time;
   row.work = work;
@@ -295,20 +286,20 @@ std::optional<StopReason> DynamicPacking::advance() {
   row.audit_residual = missing / next.balance.work;
   const double change = missing - residue(progress_.balance, progress_.last);
   const double turnover =
-      std::abs(work) + std::abs(friction) + viscous + force_unit(scenario_) * fed;
+      std::abs(work) + std::abs(friction) + viscous + force_unit(model_->scenario) * fed;
   if (!(std::abs(change) < unstable_share * turnover)) {
     throw NumericalFailure(unstable_message(row, model_->step));
   }
   next.last = row;
-  note_force(scenario_, next);
+  note_force(model_->scenario, next);
   progress_ = std::move(next);
-  return limit_reached(scenario_, progress_);
+  return limit_reached(model_->scenario, progress_);
 }
 
-bool DynamicPacking::frame_is_due() const { return wirepack::frame_is_due(scenario_, progress_); }
-
-PackingFrame DynamicPacking::take_frame() {
-  return wirepack::take_frame(scenario_, model_->contact, progress_);
+bool DynamicPacking::frame_is_due() const {
+  return wirepack::frame_is_due(model_->scenario, progress_);
 }
+
+PackingFrame DynamicPacking::take_frame() { return wirepack::take_frame(*model_, progress_); }
 
 }  // namespace wirepack

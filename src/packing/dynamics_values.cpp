@@ -23,9 +23,10 @@ double highest_frequency_of(const Scenario& scenario) {
   const double mass_per_length = scenario.density * pi * a * a;
   const double axial = 4 * stiff.stretch / (mass_per_length * l * l);
   const double bending = 39 * stiff.bend / (mass_per_length * l * l * l * l);
-  const double contact =
-      (scenario.wall_stiffness + (scenario.contact_enabled ? 6 * scenario.contact.stiffness : 0)) /
-      mass_per_length;
+  const double strands = scenario.contact_enabled ? 6 * scenario.contact.stiffness : 0;
+  // the tip is half an edge that touches the wall over 2 a
+  const double tip = scenario.wall_stiffness * 4 * a / l;
+  const double contact = std::max(scenario.wall_stiffness + strands, tip) / mass_per_length;
   return std::sqrt(std::max(axial, bending) + contact);
 }
 

@@ -23,33 +23,45 @@ void note_crossings(std::vector<ForceCrossing>& crossings, double force, double 
 
 }  // namespace
 
-HistoryRow observe(const Scenario& scenario, SelfContactEnergy& contact, const RodState& rod) {
-  HistoryRow row;
+Observation observe(PackingModel& model, const RodState& rod) {
+  Observation seen;
+  const Scenario& scenario = model.scenario;
+  const JointEnergies joints = joint_energies(model.wire, rod);
+  seen.energy_bend = joints.bend;
+  seen.energy_twist = joints.twist;
   Gradient unused;
   set_zero(unused, rod);
-  const JointEnergies joints = joint_energies(scenario.wire, rod);
-  row.energy_stretch = StretchEnergy(scenario.wire).add_gradient(rod, unused);
-  row.energy_bend = joints.bend;
-  row.energy_twist = joints.twist;
-  row.energy_wall =
-      WallEnergy(scenario.wire, scenario.cavity, scenario.wall_stiffness).add_gradient(rod, unused);
+  seen.energy_stretch = model.stretch.add_gradient(rod, unused);
+  seen.energy_wall = model.wall.add_gradient(rod, unused);
+  seen.wall_forces = model.wall.forces(rod);
   for (Index i = 0; i < rod.node_count(); ++i) {
-    row.max_overlap = std::max(row.max_overlap,
-                               -wall_gap(scenario.cavity, rod.nodes.col(i), scenario.wire.radius));
+    seen.max_overlap =
+        std::max(seen.max_overlap, -wall_gap(scenario.cavity, rod.nodes.col(i), model.wire.radius));
   }
-  if (scenario.contact_enabled) {
-    contact.prepare(rod);
-    row.energy_contact = contact.add_gradient(rod, unused);
-    const std::vector<SelfContact> contacts = contact.contacts(rod);
-    row.contacts = static_cast<double>(contacts.size());
-    for (const SelfContact& touch : contacts) {
-      // beyond their own edge the lines are extrapolations of curved strands
-      const bool inside = std::abs(touch.line.s) <= 0.5 && std::abs(touch.line.t) <= 0.5;
-      if (inside) row.max_overlap = std::max(row.max_overlap, touch.overlap);
-    }
+  if (!scenario.contact_enabled) return seen;
+  model.contact.prepare(rod);
+  seen.energy_contact = model.contact.add_gradient(rod, unused);
+  seen.contacts = model.contact.contacts(rod);
+  for (const SelfContact& touch : seen.contacts) {
+    // beyond their own edge the lines are extrapolations of curved strands
+    const bool inside = std::abs(touch.line.s) <= 0.5 && std::abs(touch.line.t) <= 0.5;
+    if (inside) seen.max_overlap = std::max(seen.max_overlap, touch.overlap);
   }
-  row.inserted_length = total_rest_length(rod, scenario.wire);
-  row.packing_density = packing_density(row.inserted_length, scenario.cavity, scenario.wire.radius);
+  return seen;
+}
+
+HistoryRow row_of(const PackingModel& model, const RodState& rod, const Observation& observed) {
+  HistoryRow row;
+  row.energy_stretch = observed.energy_stretch;
+  row.energy_bend = observed.energy_bend;
+  row.energy_twist = observed.energy_twist;
+  row.energy_wall = observed.energy_wall;
+  row.energy_contact = observed.energy_contact;
+  row.contacts = static_cast<double>(observed.contacts.size());
+  row.max_overlap = observed.max_overlap;
+  row.inserted_length = total_rest_length(rod, model.wire);
+  row.packing_density =
+      packing_density(row.inserted_length, model.scenario.cavity, model.wire.radius);
   return row;
 }
 
@@ -67,8 +79,7 @@ bool frame_is_due(const Scenario& scenario, const PackingProgress& progress) {
          progress.last_frame_density + scenario.output.frame_every_density;
 }
 
-PackingFrame take_frame(const Scenario& scenario, SelfContactEnergy& contact,
-                        PackingProgress& progress) {
+PackingFrame take_frame(PackingModel& model, PackingProgress& progress) {
   progress.last_frame_density = progress.last.packing_density;
   PackingFrame frame;
   frame.rod = progress.rod;
@@ -76,15 +87,12 @@ PackingFrame take_frame(const Scenario& scenario, SelfContactEnergy& contact,
   frame.inserted_length = progress.last.inserted_length;
   frame.packing_density = progress.last.packing_density;
   frame.force = progress.last.force;
-  const NodeEnergies energies = node_energies(scenario.wire, progress.rod);
+  const NodeEnergies energies = node_energies(model.wire, progress.rod);
   frame.bend_energy = energies.bend;
   frame.twist_energy = energies.twist;
-  const WallEnergy wall(scenario.wire, scenario.cavity, scenario.wall_stiffness);
-  frame.wall_force = wall.forces(progress.rod);
-  if (scenario.contact_enabled) {
-    contact.prepare(progress.rod);
-    frame.contacts = contact.contacts(progress.rod);
-  }
+  Observation observed = observe(model, progress.rod);
+  frame.wall_force = std::move(observed.wall_forces);
+  frame.contacts = std::move(observed.contacts);
   return frame;
 }
 

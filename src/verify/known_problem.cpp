@@ -56,9 +56,8 @@ Points polygon_nodes(Index edges, double radius) {
   return nodes;
 }
 
-EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held,
-                            const EnergyTerms& energy, const RestLimits& limits,
-                            double bend_stiffness) {
+EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
+                            const RestLimits& limits, double bend_stiffness) {
   EquilibriumOptions options{};
   options.force_tolerance = limits.force;
   options.moment_tolerance = limits.moment;

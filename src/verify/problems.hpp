@@ -31,8 +31,7 @@ struct RestLimits {
   double force, moment;
 };
 /// Moves the state to rest; throws NumericalFailure when none is found.
-EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held,
-                            const EnergyTerms& energy, const RestLimits& limits,
-                            double bend_stiffness);
+EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
+                            const RestLimits& limits, double bend_stiffness);
 
 }  // namespace wirepack

@@ -4,9 +4,9 @@
 #include <benchmark/benchmark.h>
 #include <cmath>
 
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
 namespace {

@@ -43,7 +43,7 @@ class Resume(ProgramTest):
         self.assertGreater(work["factorizations"], 30)
         self.assertGreater(work["list_builds"], 0)
         seconds = [value for key, value in work.items() if key.endswith("_seconds")]
-        self.assertEqual(len(seconds), 7)
+        self.assertEqual(len(seconds), 8)
         self.assertGreater(min(seconds), 0)
         self.assertLess(sum(seconds), duration)
         self.assertRegex(out, f"# evaluations +{work['evaluations']}\n")

@@ -151,8 +151,8 @@ TEST(RodOnTheWall, SinksInByItsWeightOverTheStiffnessForAnyMesh) {
     StretchEnergy stretch(params);
     JointEnergy joints(params);
     EnergyTerms total{stretch, joints, wall, load};
-    const EquilibriumReport report = solve_equilibrium(
-        state, HeldUnknowns::none(state), total, tight_options(params, 1));
+    const EquilibriumReport report =
+        solve_equilibrium(state, HeldUnknowns::none(state), total, tight_options(params, 1));
     EXPECT_EQ(report.end, EquilibriumEnd::converged) << report.residual;
     const Eigen::VectorXd forces = wall.forces(state);
     const double per_node = weight * params.edge_length;

@@ -49,10 +49,10 @@ TEST(DynamicPacking, WithoutFrictionEnergyAndForceAreThoseOfTheMinimization) {
   run(in_time, into(dynamic));
   QuasistaticPacking at_rest(scenario_of(Setup::low_torsion, 5, Method::quasistatic, length));
   run(at_rest, into(minimal));
-  EXPECT_EQ(dynamic.count, minimal.count);
-  EXPECT_NEAR(dynamic.bend_energy, minimal.bend_energy, 0.01 * minimal.bend_energy);
+  ASSERT_GT(std::min(dynamic.count, minimal.count), 20);
+  EXPECT_NEAR(dynamic.bend_energy / dynamic.count / (minimal.bend_energy / minimal.count), 1, 0.01);
   // a few per cent for the energy that vibrations take
-  EXPECT_NEAR(dynamic.force, minimal.force, 0.03 * minimal.force);
+  EXPECT_NEAR(dynamic.force / dynamic.count / (minimal.force / minimal.count), 1, 0.03);
   EXPECT_LT(std::abs(in_time.progress().last.audit_residual), 1e-3);
 }
 
@@ -140,7 +140,7 @@ testing::MovingWire strut(double share_of_critical) {
   const double length = 2 * (radius - a);
   const double k = critical_kl(length, a, radius - a) / length;
   const double load = share_of_critical * stiff.bend * k * k;
-  const double overlap = load / (forces.wall_stiffness * 0.5);
+  const double overlap = load / (forces.wall_stiffness * 2 * a);  // the tip touches with a point
   const double edge = (length + overlap) / static_cast<double>(edges);
   forces.wire.edge_length = edge / (1 - load / stiff.stretch);
   Points nodes = Points::Zero(3, edges + 1);

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 
 #include "../support/sample_rods.hpp"
 

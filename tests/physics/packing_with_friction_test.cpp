@@ -54,7 +54,8 @@ TEST_P(PackingWithFriction, VanishingFrictionLeavesThePackingAsItIsWithoutAny) {
   const PackedRun slight = pack(scenario);
   scenario.friction.model = FrictionModel::none;
   const PackedRun none = pack(scenario);
-  ASSERT_EQ(slight.rows.size(), none.rows.size());
+  // where the tip comes to the wall, increments may be taken in other parts
+  ASSERT_EQ(slight.rows.back().inserted_length, none.rows.back().inserted_length);
   const double energy = none.rows.back().energy_total;
   // The force takes what mu does at first order; the energy is at its minimum. In low torsion the frames
   // are unknowns with friction alone, so rounding differs.

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "wirepack/core/rotation.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/load_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
 namespace wirepack::testing {
@@ -89,9 +89,8 @@ inline EquilibriumReport solver_rest(RodState& state, const HeldUnknowns& held,
   JointEnergy joints(params);
   LoadEnergy load(params, loads);
   EnergyTerms total{stretch, joints, load};
-  const EquilibriumReport report =
-      solve_equilibrium(state, held, total,
-                        {tolerance.force, tolerance.moment, 1e-6 * stiffness(params).bend, {}});
+  const EquilibriumReport report = solve_equilibrium(
+      state, held, total, {tolerance.force, tolerance.moment, 1e-6 * stiffness(params).bend, {}});
   EXPECT_LE(report.residual, 1) << "after " << report.work.evaluations << " evaluations, stalled: "
                                 << (report.end == EquilibriumEnd::stalled);
   return report;

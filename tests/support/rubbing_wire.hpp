@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/load_energy.hpp"
 #include "wirepack/energy/slip_potential.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 

@@ -64,6 +64,10 @@ class EnergyTerms {
   EnergyTerms() = default;
   EnergyTerms(std::initializer_list<EnergyTermRef> terms) : terms_(terms) {}
   void add(EnergyTermRef term) { terms_.push_back(term); }
+  /// Adds all terms of another list.
+  void add(const EnergyTerms& more) {
+    terms_.insert(terms_.end(), more.terms_.begin(), more.terms_.end());
+  }
 
   /// Prepares every term; true if one of them had something to do.
   bool prepare(const RodState& state) const;

@@ -47,9 +47,20 @@ class SlipPotential {
              const Eigen::VectorXd& wall_forces, std::span<const SlipMemory> memory);
   /// Adds the contacts that have formed on the way from the start of the increment, `before`, to `now`,
   /// with the forces that they have now: each is held from where it came into touch, if the way was
-  /// straight. Contacts handed on between neighbouring edges are old ones. Returns how many are new.
-  Index join(const RodState& before, const RodState& now, std::span<const SelfContact> touches,
-             const Eigen::VectorXd& wall_forces);
+  /// straight; from `before` on if it nearly touched there. Contacts handed on between neighbouring edges
+  /// are old ones. One that has slid by more than `usual_slip` since then was missed, its way says nothing: it
+  /// is held from `before`.
+  struct Joined {
+    Index count = 0;
+    bool missed = false;  ///< one of them
+  };
+  Joined join(const RodState& before, const RodState& now, std::span<const SelfContact> touches,
+              const Eigen::VectorXd& wall_forces, double usual_slip);
+  /// Holds the `count` contacts that joined last without a limit, as if glued.
+  void hold_joined(Index count);
+  /// Lets them slip by the normal forces that they have come to by now; 0 where they do not touch.
+  void release_joined(Index count, std::span<const SelfContact> touches,
+                      const Eigen::VectorXd& wall_forces);
 
   Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;

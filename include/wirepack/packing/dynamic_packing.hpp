@@ -37,7 +37,6 @@ class DynamicPacking {
   struct Model;
 
   std::unique_ptr<Model> model_;
-  Scenario scenario_;
   PackingProgress progress_;
 };
 

@@ -25,6 +25,7 @@ struct HistoryRow {
   double energy_contact = 0;
   double snap_energy = 0;  ///< released by a jump within this increment
   double residual = 0;     ///< largest gradient component over YI / R^2
+  double stable = 1;       ///< 1: a minimum; 0: a saddle that could not be left
   double evaluations = 0;
   double contacts = 0;
   double max_overlap = 0;
@@ -50,7 +51,7 @@ struct HistoryColumn {
   ColumnOf of = ColumnOf::every_run;
 };
 
-inline constexpr std::array<HistoryColumn, 24> history_columns{{
+inline constexpr std::array<HistoryColumn, 25> history_columns{{
     {"increment", "1", &HistoryRow::increment, true},
     {"inserted_length", "length", &HistoryRow::inserted_length},
     {"packing_density", "1", &HistoryRow::packing_density},
@@ -65,6 +66,7 @@ inline constexpr std::array<HistoryColumn, 24> history_columns{{
     {"energy_contact", "force length", &HistoryRow::energy_contact},
     {"snap_energy", "force length", &HistoryRow::snap_energy},
     {"residual", "YI/R^2", &HistoryRow::residual},
+    {"stable", "1", &HistoryRow::stable, true},
     {"evaluations", "1", &HistoryRow::evaluations, true},
     {"contacts", "1", &HistoryRow::contacts, true},
     {"max_overlap", "length", &HistoryRow::max_overlap},

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/packing/history.hpp"
 #include "wirepack/packing/packing_frame.hpp"
 #include "wirepack/packing/packing_progress.hpp"
@@ -12,18 +13,20 @@
 
 namespace wirepack {
 
-struct QuasistaticModel;  // the energy terms of a scenario
+struct PackingModel;
 
 /// One quasi-static packing run, an increment at a time; the caller records what it gets and can
 /// stop or save `progress()` between any two increments. Feed, minimize, check, observe.
 class QuasistaticPacking {
  public:
-  /// From a straight wire in the nozzle. Throws InvalidInput when the scenario is not valid.
-  explicit QuasistaticPacking(const Scenario& scenario);
+  /// From a straight wire in the nozzle. `extra` are energy terms of the caller's own, by reference.
+  /// Throws InvalidInput when the scenario is not valid.
+  explicit QuasistaticPacking(const Scenario& scenario, const EnergyTerms& extra = {});
   ~QuasistaticPacking();
   QuasistaticPacking(QuasistaticPacking&&) noexcept;
   /// Goes on from a saved progress of the same scenario.
-  QuasistaticPacking(const Scenario& scenario, PackingProgress progress);
+  QuasistaticPacking(const Scenario& scenario, PackingProgress progress,
+                     const EnergyTerms& extra = {});
 
   /// The next increment; afterwards progress().last is its row (wall_seconds is the caller's).
   /// Returns why the run is over, if it is; after no_equilibrium or strands_passed the progress is
@@ -36,17 +39,7 @@ class QuasistaticPacking {
   PackingFrame take_frame();
 
  private:
-  struct StepResult {
-    std::optional<StopReason> failure;
-    bool unresolved = false;  ///< the work over the step is not known well enough
-    SolverWork work;
-  };
-  /// Takes `next`, a copy of the progress, one step further; on failure the copy is useless.
-  StepResult step(PackingProgress& next);
-  double length_of_step() const;
-
-  std::unique_ptr<QuasistaticModel> model_;
-  Scenario scenario_;
+  std::unique_ptr<PackingModel> model_;
   PackingProgress progress_;
 };
 

@@ -46,6 +46,7 @@ enum class EquilibriumEnd { converged, evaluation_limit, stalled, inadmissible }
 struct EquilibriumReport {
   EquilibriumEnd end = EquilibriumEnd::stalled;
   double energy = 0;
+  bool stable = true;             ///< a minimum and no saddle, where that was asked for
   double residual = 0;            ///< largest gradient component over its tolerance; <= 1 at rest
   double inlet_length_force = 0;  ///< explicit dE/d(inlet_rest_length): the injection force
   SolverWork work;
@@ -57,7 +58,6 @@ struct EquilibriumReport {
 /// found, also when it has not converged.
 /// Throws NumericalFailure if even the start has no finite energy.
 EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
-                                    const EnergyTerms& energy,
-                                    const EquilibriumOptions& options);
+                                    const EnergyTerms& energy, const EquilibriumOptions& options);
 
 }  // namespace wirepack

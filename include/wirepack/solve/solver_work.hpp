@@ -20,6 +20,7 @@ struct SolverWork {
   double factorization_seconds = 0;  ///< curvature model: assembly, ordering, factor
   double descent_seconds = 0;        ///< L-BFGS: its vectors and its line search
   double passage_seconds = 0;        ///< whether strands have passed through each other
+  double stability_seconds = 0;      ///< whether an equilibrium is a minimum
 
   SolverWork& operator+=(const SolverWork& other);
 };
@@ -37,7 +38,7 @@ inline constexpr std::array<WorkEntry<std::int64_t>, 4> work_counts{{
     {"list_builds", &SolverWork::list_builds},
 }};
 
-inline constexpr std::array<WorkEntry<double>, 7> work_seconds{{
+inline constexpr std::array<WorkEntry<double>, 8> work_seconds{{
     {"energy_seconds", &SolverWork::energy_seconds},
     {"list_seconds", &SolverWork::list_seconds},
     {"chart_seconds", &SolverWork::chart_seconds},
@@ -45,6 +46,7 @@ inline constexpr std::array<WorkEntry<double>, 7> work_seconds{{
     {"factorization_seconds", &SolverWork::factorization_seconds},
     {"descent_seconds", &SolverWork::descent_seconds},
     {"passage_seconds", &SolverWork::passage_seconds},
+    {"stability_seconds", &SolverWork::stability_seconds},
 }};
 
 inline SolverWork& SolverWork::operator+=(const SolverWork& other) {

@@ -5,9 +5,9 @@
 #include "wirepack/core/rotation.hpp"
 #include "wirepack/dynamics/damping.hpp"
 #include "wirepack/dynamics/gear_integrator.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 
 namespace wirepack {
 namespace {

@@ -283,9 +283,9 @@ TEST(SlipPotential, AContactThatFormsOnTheWayIsHeldFromWhereItTouchesOn) {
     SlipPotential potential(RodParams{}, SphericalCavity{}, friction);
     const RodState before = from(way);
     potential.start(before, {}, now.no_wall, {});
-    EXPECT_EQ(potential.join(before, now.rod, now.touches, now.no_wall),
+    EXPECT_EQ(potential.join(before, now.rod, now.touches, now.no_wall, 10).count,
               static_cast<Index>(now.touches.size()));
-    EXPECT_EQ(potential.join(before, now.rod, now.touches, now.no_wall), 0);  // once
+    EXPECT_EQ(potential.join(before, now.rod, now.touches, now.no_wall, 10).count, 0);  // once
     Gradient gradient;
     set_zero(gradient, now.rod);
     potential.add_gradient(now.rod, gradient);
@@ -301,7 +301,7 @@ TEST(SlipPotential, AContactHandedOnToNeighbouringEdgesIsNotANewOne) {
   SlipPotential potential = touching.potential();
   std::vector<SelfContact> handed_on = touching.touches;
   for (SelfContact& touch : handed_on) ++touch.edges.second;
-  EXPECT_EQ(potential.join(touching.rod, touching.rod, handed_on, touching.no_wall), 0);
+  EXPECT_EQ(potential.join(touching.rod, touching.rod, handed_on, touching.no_wall, 10).count, 0);
 }
 
 TEST(SlipPotential, ANodeThatComesToTheWallIsHeldThereFromThenOn) {
@@ -316,7 +316,7 @@ TEST(SlipPotential, ANodeThatComesToTheWallIsHeldThereFromThenOn) {
   SlipPotential potential(RodParams{}, SphericalCavity{10}, friction);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(3), middle = Eigen::VectorXd::Unit(3, 1);
   potential.start(before, {}, none, {});
-  EXPECT_EQ(potential.join(before, rod, {}, middle), 1);
+  EXPECT_EQ(potential.join(before, rod, {}, middle, 10).count, 1);
   Gradient gradient;
   set_zero(gradient, rod);
   potential.add_gradient(rod, gradient);

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
@@ -52,8 +52,7 @@ struct HeldWire {
     JointEnergy joints(params);
     EnergyTerms energy{stretch, joints};
     MinimizerOptions method;
-    const auto report =
-        solve_equilibrium(rod, held, energy, {1e-9, 1e-9, 4e-6, method});
+    const auto report = solve_equilibrium(rod, held, energy, {1e-9, 1e-9, 4e-6, method});
     EXPECT_EQ(report.end, EquilibriumEnd::converged);
     return report.energy;
   }

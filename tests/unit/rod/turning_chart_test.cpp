@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 
 #include "../../support/sample_rods.hpp"
@@ -107,7 +107,7 @@ TEST(TurningChart, DerivativesMatchDifferencesWithAndWithoutTurning) {
     const auto energy = [&](const Eigen::VectorXd& z) {
       turning.set_state(z, state);
       set_zero(gradient, state);
-      return total.add_gradient(state, gradient) + turning.moves().squaredNorm();
+      return double(total.add_gradient(state, gradient)) + turning.moves().squaredNorm();
     };
     const Eigen::VectorXd z0 = random_step(s.chart.size(), 0.15, 8);
     energy(z0);

@@ -1,0 +1,220 @@
+#include "increment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wirepack/core/random.hpp"
+#include "wirepack/feed/feeder.hpp"
+#include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/equilibrate.hpp"
+#include "wirepack/packing/observation.hpp"
+
+namespace wirepack {
+
+namespace {
+
+// The discretization error of the force at the nozzle grows with the cube of the inlet edge's length, so the
+// edge is split early. The force then has the same mean over a
+// cycle as the change of energy, and at 0.55 edge lengths it is that mean (moments that grow linearly
+// from the clamp: it is wrong by YI kappa'^2 l^2 (x^2 / 12 + x / 18 - 1 / 72) for an inlet edge x l).
+constexpr double longest_inlet = 1.1;
+// A short edge that presses on strands can be too stiff to come to rest. The split may wait till then.
+constexpr double latest_split = 1.5;
+constexpr double inlet_of_whole_edges = 0.6;
+
+bool is_whole_edge(double length, const RodParams& wire) {
+  return std::abs(length - wire.edge_length) < 1e-9 * wire.edge_length;
+}
+
+// An edge is a whole number of increments.
+bool divides_edges(double increment, const RodParams& wire) {
+  const double count = wire.edge_length / increment;
+  return std::abs(count - std::round(count)) < 1e-9 * count;
+}
+
+// Whether increments are whole edges, by which the wire slides along itself. Friction would have to
+// undo that where it holds the wire.
+bool feeds_whole_edges(const PackingModel& model) {
+  return is_whole_edge(model.scenario.insertion.increment, model.wire) && !model.has_friction();
+}
+
+std::optional<StopReason> failure_of(const EquilibriumReport& report) {
+  switch (report.end) {
+    case EquilibriumEnd::converged:
+      return std::nullopt;
+    case EquilibriumEnd::inadmissible:
+      return StopReason::strands_passed;
+    case EquilibriumEnd::evaluation_limit:
+    case EquilibriumEnd::stalled:
+      break;
+  }
+  return StopReason::no_equilibrium;
+}
+
+// The equilibrium that the wire is fed from, and what a split has changed on the way to it.
+struct Start {
+  double energy, force;
+  double dissipated = 0;  // by friction, while the wire gave way to the split
+  double released = 0;    // by a snap that the split set off
+};
+
+// What an increment fed, and what it came to.
+struct Fed {
+  double length;
+  bool whole_edge;
+};
+
+double length_of_increment(const PackingModel& model, const PackingProgress& from, double longest) {
+  const Scenario& scenario = model.scenario;
+  double length = scenario.insertion.increment * longest;
+  const double inserted = from.last.inserted_length;
+  if (scenario.stop.length) length = std::min(length, *scenario.stop.length - inserted);
+  if (scenario.stop.density) {
+    const double end =
+        length_at_density(*scenario.stop.density, scenario.cavity, model.wire.radius);
+    length = std::min(length, end - inserted);
+  }
+  if (divides_edges(scenario.insertion.increment, model.wire)) {
+    // Parts of an increment lead back to the phases of the mesh that whole ones have: others read
+    // another mean force.
+    const double whole = scenario.insertion.increment;
+    const double increments = (from.rod.inlet_rest_length - inlet_at_start(model.wire)) / whole;
+    const double missing = whole * (std::ceil(increments - 1e-9) - increments);
+    if (missing > 1e-9 * whole) length = std::min(length, missing);
+  }
+  return length;
+}
+
+// Equilibrium from where friction has started, with what it cost booked in the trial.
+Equilibrium come_to_rest(PackingModel& model, const RodState& before, const SlipWork& at_start,
+                         Trial& trial) {
+  PackingProgress& next = trial.progress;
+  const Equilibrium found = equilibrate(model, before, next.rod);
+  trial.work += found.report.work;
+  next.rollbacks += found.report.work.rounds_taken_back;
+  trial.failure = failure_of(found.report);
+  if (trial.failure || !model.has_friction()) return found;
+  next.slip_memory = model.friction.memory(next.rod);
+  next.balance.friction += found.slip.dissipated;
+  next.balance.contact_springs += found.slip.stored - at_start.stored;
+  return found;
+}
+
+// What went against friction: dissipated, or stored in the contacts.
+double against_friction(const Equilibrium& found, const SlipWork& at_start) {
+  return found.slip.dissipated + found.slip.stored - at_start.stored;
+}
+
+SlipWork start_friction(PackingModel& model, const PackingProgress& progress) {
+  if (!model.has_friction()) return {};
+  return start_friction(model, progress.rod, observe(model, progress.rod), progress.slip_memory);
+}
+
+// Splits an inlet edge that has grown long. Where the new short edge finds no equilibrium the split is
+// undone, and waits till the edge is longer yet; only the longest must be split.
+Start split_inlet_if_due(PackingModel& model, Trial& trial) {
+  PackingProgress& next = trial.progress;
+  Start start{next.last.energy_total, next.last.force};
+  if (!split_is_due(next.rod, longest_inlet * model.wire.edge_length)) return start;
+  const PackingProgress unsplit = next;
+  split_inlet(next.rod, model.nozzle, model.wire);
+  const RodState before = next.rod;
+  const SlipWork at_start = start_friction(model, next);
+  const Equilibrium found = come_to_rest(model, before, at_start, trial);
+  if (!trial.failure) {
+    const double taken = start.energy - found.report.energy - against_friction(found, at_start);
+    const double edge_work =
+        model.wire.edge_length * std::max(std::abs(start.force), force_unit(model.scenario));
+    const double released = book_split(taken, edge_work, next.balance);
+    return {found.report.energy, found.report.inlet_length_force, found.slip.dissipated, released};
+  }
+  if (!split_is_due(unsplit.rod, latest_split * model.wire.edge_length)) {
+    next = unsplit;
+    trial.failure.reset();
+  }
+  return start;
+}
+
+// The straight wire is a saddle under compression; until the first coil has formed, every start is
+// moved off it.
+void perturb(const PackingModel& model, PackingProgress& next) {
+  RodState& rod = next.rod;
+  if (total_rest_length(rod, model.wire) > first_coil_length(model.scenario.cavity)) return;
+  Random random(next.random_state);
+  const double amplitude = model.scenario.insertion.perturbation * model.wire.radius;
+  const FrameChart chart(rod, HeldUnknowns::none(rod));
+  Eigen::VectorXd x = chart.unknowns();
+  for (Index i = 0; i + 1 < rod.node_count(); ++i) {
+    for (int c = 0; c < 3; ++c) x[chart.unknown(i, c)] += amplitude * random.symmetric();
+  }
+  chart.set_state(x, rod);
+  next.random_state = random.state();
+}
+
+// Lets wire in: the inlet edge grows, or, by a whole edge without friction, the wire slides along itself.
+Fed feed(PackingModel& model, double length, Trial& trial) {
+  perturb(model, trial.progress);
+  const bool slides = feeds_whole_edges(model) && is_whole_edge(length, model.wire);
+  if (slides) {
+    slide_one_edge(trial.progress.rod, model.wire);
+    trial.work += settle_tip(model, trial.progress.rod);
+  } else {
+    insert(trial.progress.rod, length);
+  }
+  return {length, slides};
+}
+
+// What the equilibrium cost, against the work of the force: what is missing was released by a snap.
+WorkBooking account(const PackingModel& model, const Start& start, const Fed& fed, double force,
+                    double spent, Trial& trial) {
+  PackingProgress& next = trial.progress;
+  const WorkBooking booking =
+      book({fed.length, start.force, force, spent, force_unit(model.scenario), fed.whole_edge},
+           next.balance, next.work_errors);
+  trial.resolved = booking.resolved;
+  return booking;
+}
+
+HistoryRow record(const PackingModel& model, const PackingProgress& next,
+                  const Equilibrium& found) {
+  HistoryRow row = row_of(model, next.rod, found.observed);
+  row.increment = next.last.increment + 1;
+  row.energy_total = found.report.energy;
+  row.force = found.report.inlet_length_force;
+  row.scaled_force = row.force / force_unit(model.scenario);
+  row.residual = found.report.residual * model.scenario.minimizer.tolerance;
+  row.stable = found.report.stable ? 1 : 0;
+  row.wall_seconds = next.last.wall_seconds;
+  return row;
+}
+
+}  // namespace
+
+double inlet_at_start(const RodParams& wire) { return inlet_of_whole_edges * wire.edge_length; }
+
+Trial attempt_increment(PackingModel& model, const PackingProgress& from, double longest) {
+  Trial trial{from, std::nullopt, true, {}};
+  PackingProgress& next = trial.progress;
+  const double length = length_of_increment(model, from, longest);
+  const Start start = split_inlet_if_due(model, trial);
+  if (trial.failure) return trial;
+
+  const RodState before = next.rod;
+  const SlipWork at_start = start_friction(model, next);
+  const Fed fed = feed(model, length, trial);
+  const Equilibrium found = come_to_rest(model, before, at_start, trial);
+  if (trial.failure) return trial;
+
+  HistoryRow row = record(model, next, found);
+  const double spent = found.report.energy - start.energy + against_friction(found, at_start);
+  row.force_difference = spent / fed.length;
+  row.friction_dissipation = start.dissipated + found.slip.dissipated;
+  const WorkBooking booking = account(model, start, fed, row.force, spent, trial);
+  row.snap_energy = booking.released + start.released;
+  if (row.snap_energy > 0) ++next.snaps;
+  next.last = row;
+  note_force(model.scenario, next);
+  return trial;
+}
+
+}  // namespace wirepack

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "wirepack/packing/packing_model.hpp"
+#include "wirepack/packing/packing_progress.hpp"
+#include "wirepack/packing/stop_rule.hpp"
+
+namespace wirepack {
+
+// An increment that was tried. It changes nothing outside of itself.
+struct Trial {
+  PackingProgress progress;           // after the increment; useless where it failed
+  std::optional<StopReason> failure;  // no equilibrium was found, or strands passed
+  bool resolved = true;               // false: a shorter increment is needed to know what happened
+  SolverWork work;
+};
+
+// One increment of at most `longest` times the configured length, in five stages: split the inlet edge,
+// feed, equilibrate, account for the work, record the row.
+Trial attempt_increment(PackingModel& model, const PackingProgress& from, double longest);
+
+// Rest length of the inlet edge at which whole edges are fed.
+double inlet_at_start(const RodParams& wire);
+
+}  // namespace wirepack
