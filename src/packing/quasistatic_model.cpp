@@ -64,11 +64,9 @@ QuasistaticModel::QuasistaticModel(const Scenario& scenario, const Nozzle& at)
       contact(scenario.wire, scenario.contact),
       friction(scenario.wire, scenario.cavity, scenario.friction),
       nozzle(at) {
-  const double bend = stiffness(scenario.wire).bend;
-  options.force_tolerance = scenario.minimizer.tolerance * force_unit(scenario);
-  options.moment_tolerance = options.force_tolerance * scenario.wire.radius;
-  options.shift = scenario.minimizer.shift * bend;
-  options.method = scenario.minimizer;
+  options =
+      equilibrium_options(stiffness(scenario.wire).bend, scenario.wire.radius,
+                          scenario.minimizer.tolerance * force_unit(scenario), scenario.minimizer);
   // two strands that close in on each other by 0.8 a each still touch on their old sides
   options.guard = {0.8 * scenario.wire.radius,
                    10 * scenario.wire.youngs_modulus * scenario.wire.edge_length, nullptr};

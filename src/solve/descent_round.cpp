@@ -63,16 +63,20 @@ GuardReport guard_energy(const FrameChart& chart, const Points& moves, double di
 
 Preconditioner preconditioner_at(const FrameChart& chart, const EnergyTerms& energy,
                                  const EquilibriumOptions& options, SolverWork& work) {
+  // a radian counts as this length
+  const double radian = options.moment_tolerance / options.force_tolerance;
+  const double angle_shift = options.shift * radian * radian;
   const auto curvature = [&](double exactness) {
     CurvatureModel model(chart, exactness);
     energy.add_curvature(chart.reference(), model);
-    return model.lower_triangle(options.shift);
+    return model.lower_triangle(options.shift, angle_shift);
   };
   const auto factored = [&](double exactness) {
     ++work.factorizations;
     const auto definiteness = exactness > 0 ? Preconditioner::Definiteness::unknown
                                             : Preconditioner::Definiteness::positive;
-    return Preconditioner::factored(curvature(exactness), options.shift, definiteness);
+    return Preconditioner::factored(curvature(exactness), std::min(options.shift, angle_shift),
+                                    definiteness);
   };
   std::optional<Preconditioner> result = factored(options.exactness);
   if (!result && options.exactness > 0) result = factored(0);

@@ -5,10 +5,10 @@
 #include "wirepack/contact/neighbor_list.hpp"
 #include "wirepack/contact/passage.hpp"
 #include "wirepack/core/random.hpp"
+#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
-#include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 #include "wirepack/packing/quasistatic_packing.hpp"
 #include "wirepack/rod/turning_chart.hpp"
@@ -110,7 +110,7 @@ struct Descent {
   Eigen::SparseMatrix<double> curvature() {
     CurvatureModel model(chart, 0.7);  // as packings take it
     energy().add_curvature(chart.reference(), model);
-    return model.lower_triangle(shift());
+    return model.lower_triangle(shift(), shift());
   }
 };
 
