@@ -55,10 +55,10 @@ class Compare(ProgramTest):
             shutil.rmtree(self.folder / "out")
             return list(numbers(result))
 
-        one = '[cavity]\nradius = 5\n[wire]\nedge_length = 1\n[insertion]\nincrement = 1\n'
+        one = '[cavity]\nradius = 5\n[wire]\nedge_length = 2\n[insertion]\nincrement = 2\n'
         other = (
             "[cavity]\nradius = 5e-9\n[wire]\nradius = 1e-9\nyoungs_modulus = 2.6e8\n"
-            "density = 1100\nedge_length = 1e-9\n[insertion]\nincrement = 1e-9\n"
+            "density = 1100\nedge_length = 2e-9\n[insertion]\nincrement = 2e-9\n"
         )
         first, second = compared(one), compared(other)
         self.assertEqual(len(first), len(second))

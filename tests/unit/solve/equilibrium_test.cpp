@@ -49,8 +49,7 @@ TEST(Equilibrium, is_the_same_in_any_unit_of_length) {
     StretchEnergy stretch(params);
     JointEnergy joints(params);
     LoadEnergy load(params, Loads{{{0, Vec3(0.02 * unit * unit, 0, 0)}}, {}, Vec3::Zero()});
-    RodState rod =
-        make_rod(unit * testing::straight_nodes(20, 20), params, {.last_clamped = true});
+    RodState rod = make_rod(unit * testing::straight_nodes(20, 20), params, {.last_clamped = true});
     HeldUnknowns held = HeldUnknowns::none(rod);
     held.hold_node(20);
     held.angle.back() = true;
