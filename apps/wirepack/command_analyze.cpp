@@ -39,7 +39,7 @@ struct Quantity {
   bool whole = false;
 };
 
-double energy_unit(const Scenario& s) { return stiffness(s.wire).bend / s.cavity.radius; }
+double energy_unit(const Scenario& s) { return units_of(s).scaled_energy(); }
 
 constexpr std::array<Quantity, 13> quantities{{
     {"increment", "", [](const Observed& o) { return o.frame.increment; }, true},

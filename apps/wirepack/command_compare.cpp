@@ -49,7 +49,7 @@ Scenario scenario_of(const Options& options) {
 }
 
 bool is_over(const PackingProgress& progress, const Scenario& scenario, const Hdf5Reader& reader) {
-  return reader.finished() || reached_limit(scenario, progress);
+  return reader.finished() || reached_limit(in_own_units(scenario), progress);
 }
 
 /// Runs one way to its end, going on from a file that is there. False: a signal has stopped it.

@@ -106,7 +106,7 @@ int resume(const Scenario& scenario, const RunOptions& options) {
   RunTotals totals;
   for (const HistoryRow& row : reader.history()) totals.add(row);
   PackingProgress progress = reader.progress();
-  if (const auto passed = reached_limit(scenario, progress)) {
+  if (const auto passed = reached_limit(in_own_units(scenario), progress)) {
     if (!reader.finished())
       throw InvalidInput(options.output + ": is already beyond stop." +
                          std::string(name_of(*passed)));

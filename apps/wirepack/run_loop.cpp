@@ -84,7 +84,7 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
   RunResult result{std::nullopt, before};
   const Clock::time_point start = Clock::now();
   const HistoryTable table(scenario);
-  ProgressLine progress_line(scenario, packing.progress().last);
+  ProgressLine progress_line(scenario, packing.row());
   // Shows now, and not after hours, that the file cannot be written.
   recorder.flush(packing.progress());
   Clock::time_point last_flush = Clock::now();
@@ -102,7 +102,7 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
       const PackingProgress& progress = packing.progress();
       const bool advanced = progress.last.increment > good.last.increment;
       if (advanced) {
-        HistoryRow row = progress.last;
+        HistoryRow row = packing.row();
         row.wall_seconds = before.seconds + seconds_since(start);
         recorder.add(row);
         result.totals.add(row);
@@ -147,9 +147,10 @@ double expected_length(const Scenario& scenario) {
 
 std::string summary(const RunResult& result, const PackingProgress& progress,
                     const Scenario& scenario) {
-  const HistoryRow& last = progress.last;
-  const WorkBalance& balance = progress.balance;
-  const double unit = stiffness(scenario.wire).bend / scenario.cavity.radius;  // YI / R
+  const Units units = units_of(scenario);
+  const HistoryRow last = in_units(progress.last, units);
+  const WorkBalance balance = in_units(progress.balance, units);
+  const double unit = units.scaled_energy();
   const double percent = balance.work != 0 ? 100 * residue(balance, last) / balance.work : 0;
   const RunTotals& totals = result.totals;
   const SolverWork& work = progress.work;

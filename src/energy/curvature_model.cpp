@@ -109,7 +109,7 @@ void CurvatureModel::for_each_in_column(Index column, F&& f) const {
   while (next >= 0) next = take(next);
 }
 
-Eigen::SparseMatrix<double> CurvatureModel::lower_triangle(double shift) const {
+Eigen::SparseMatrix<double> CurvatureModel::lower_triangle(double shift, double angle_shift) const {
   using Sparse = Eigen::SparseMatrix<double>;
   using Number = Sparse::StorageIndex;
   Sparse lower(chart_->size(), chart_->size());
@@ -160,7 +160,7 @@ Eigen::SparseMatrix<double> CurvatureModel::lower_triangle(double shift) const {
           ++count;
         }
       }
-      value_of[start[column]] += shift;
+      value_of[start[column]] += j < 3 ? shift : angle_shift;
     }
   }
   start[chart_->size()] = count;

@@ -12,8 +12,8 @@ namespace wirepack {
 
 namespace {
 
-// Of the edge vectors, which are of order 1, and the angles: rounding 1e-11, and as much curvature
-// of the second derivative.
+// Of the edge vectors over their lengths, and of the angles: rounding 1e-11, and as much curvature of
+// the second derivative.
 constexpr double difference = 1e-5;
 
 template <class T>
@@ -49,6 +49,7 @@ struct EdgeFrame {
 
 using ByEdges = Eigen::Matrix<double, 8, 8>;  // edge before and its angle, edge after and its angle
 
+// A clamp is an edge of length 1.
 Vec3 edge_or_tangent(const RodState& state, Index index) {
   if (index >= state.edge_count()) return third_axis(frame(state, index));
   return state.nodes.col(next_node(state, index)) - state.nodes.col(index);
@@ -57,8 +58,13 @@ Vec3 edge_or_tangent(const RodState& state, Index index) {
 template <class Gradient>
 ByEdges second_derivative_by_edges(const RodState& state, const Joint& joint, Gradient&& gradient) {
   const Vec3 e1 = edge_or_tangent(state, joint.before), e2 = edge_or_tangent(state, joint.after);
-  return second_derivative<8>({e1.x(), e1.y(), e1.z(), 0, e2.x(), e2.y(), e2.z(), 0}, difference,
-                              gradient);
+  const double scale1 = 1 / e1.norm(), scale2 = 1 / e2.norm();
+  const Vec3 t1 = scale1 * e1, t2 = scale2 * e2;
+  // bending and twist depend on tangents and angles only
+  const ByEdges by_tangents = second_derivative<8>(
+      {t1.x(), t1.y(), t1.z(), 0, t2.x(), t2.y(), t2.z(), 0}, difference, gradient);
+  const Eigen::Vector<double, 8> scale{scale1, scale1, scale1, 1, scale2, scale2, scale2, 1};
+  return scale.asDiagonal() * by_tangents * scale.asDiagonal();
 }
 
 // From edges and angles to the blocks of the chart.

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <string>
 
+#include "wirepack/packing/own_units.hpp"
+
 namespace wirepack {
 
 namespace {
 
 using CrossingList = std::vector<ForceCrossing>;
 
-// Calls f(name, member) for every scalar of /checkpoint and /balance; used for both directions.
+// Calls f(name, member) for every scalar of its kind; used for both directions.
 template <class Progress, class F>
 void for_each_checkpoint_scalar(Progress& p, F&& f) {
   f("inlet_rest_length", p.rod.inlet_rest_length);
@@ -19,19 +21,23 @@ void for_each_checkpoint_scalar(Progress& p, F&& f) {
 }
 
 template <class Progress, class F>
-void for_each_balance_scalar(Progress& p, F&& f) {
-  f("work", p.balance.work);
-  f("released", p.balance.released);
-  f("remeshing", p.balance.remeshing);
+void for_each_count(Progress& p, F&& f) {
   f("snaps", p.snaps);
   f("rollbacks", p.rollbacks);
 }
 
-template <class Progress, class F>
-void for_each_dissipation(Progress& p, F&& f) {
-  f("friction", p.balance.friction);
-  f("contact_springs", p.balance.contact_springs);
-  f("viscous", p.balance.viscous);
+template <class Balance, class F>
+void for_each_work(Balance& b, F&& f) {
+  f("work", b.work);
+  f("released", b.released);
+  f("remeshing", b.remeshing);
+}
+
+template <class Balance, class F>
+void for_each_dissipation(Balance& b, F&& f) {
+  f("friction", b.friction);
+  f("contact_springs", b.contact_springs);
+  f("viscous", b.viscous);
 }
 
 template <class Motion, class F>
@@ -184,7 +190,7 @@ std::vector<Quat> rotations_of(const Hdf5Table<double>& table) {
   return rotations;
 }
 
-void write_progress(hid_t file, const PackingProgress& progress) {
+void write_progress(hid_t file, const PackingProgress& progress, const Units& units) {
   const auto write_to = [](hid_t group) {
     return [group](const char* name, const auto& value) { write_attribute(group, name, value); };
   };
@@ -216,11 +222,16 @@ void write_progress(hid_t file, const PackingProgress& progress) {
     replace_table(motion, "wall_anchors", table_of(moving.friction.wall));
   }
 
-  const Hdf5Handle balance = open_or_create_group(file, "balance");
-  for_each_balance_scalar(progress, write_to(balance));
-  for_each_dissipation(progress, write_to(balance));
-  write_attribute(balance, "energy", progress.last.energy_total);
-  write_attribute(balance, "residue", residue(progress.balance, progress.last));
+  const auto write_balance = [&](hid_t group, const WorkBalance& balance) {
+    for_each_work(balance, write_to(group));
+    for_each_dissipation(balance, write_to(group));
+  };
+  write_balance(open_or_create_group(checkpoint, "balance"), progress.balance);
+  const Hdf5Handle shown = open_or_create_group(file, "balance");
+  write_balance(shown, in_units(progress.balance, units));
+  write_attribute(shown, "energy", progress.last.energy_total * units.energy());
+  write_attribute(shown, "residue", residue(progress.balance, progress.last) * units.energy());
+  for_each_count(progress, write_to(shown));
 
   const Hdf5Handle work = open_or_create_group(file, "work");
   for (const auto& entry : work_counts) {
@@ -282,10 +293,13 @@ PackingProgress read_progress(hid_t file) {
       throw FileError("checkpoint has derivatives of unfitting lengths");
     }
   }
-  const Hdf5Handle balance = open_group(file, "balance");
-  for_each_balance_scalar(progress, read_from(balance));
+  const Hdf5Handle shown = open_group(file, "balance");
+  for_each_count(progress, read_from(shown));
+  const bool of_version_1 = !has_link(checkpoint, "balance");
+  const Hdf5Handle balance = open_group(of_version_1 ? file : hid_t(checkpoint), "balance");
+  for_each_work(progress.balance, read_from(balance));
   if (has_attribute(balance, "friction")) {  // files of 0.1.0 have none
-    for_each_dissipation(progress, read_from(balance));
+    for_each_dissipation(progress.balance, read_from(balance));
   }
   if (has_link(file, "work")) {  // files of 0.1.0 have none
     const Hdf5Handle work = open_group(file, "work");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wirepack/packing/packing_progress.hpp"
+#include "wirepack/packing/units.hpp"
 
 #include "hdf5_values.hpp"
 
@@ -13,9 +14,11 @@ Points points_of(const Hdf5Table<double>& table);
 Hdf5Table<double> table_of(const std::vector<Quat>& rotations, Index count);
 std::vector<Quat> rotations_of(const Hdf5Table<double>& table);
 
-/// Writes /checkpoint, /crossings and /balance of a result file, which together hold all of a
-/// progress, bit for bit; what was there is replaced.
-void write_progress(hid_t file, const PackingProgress& progress);
+/// Writes /checkpoint, /crossings and /work of a result file, which together hold all of a progress,
+/// bit for bit, in units of the wire; and /balance in `units`, those of the configuration. What was
+/// there is replaced.
+void write_progress(hid_t file, const PackingProgress& progress, const Units& units);
+/// In the units of the checkpoint: those of the configuration in files of format version 1.
 PackingProgress read_progress(hid_t file);
 
 }  // namespace wirepack

@@ -105,7 +105,7 @@ Curve curve_of(const ComparedRun& run, std::string label, int colour,
 }
 
 double scaled_energy(const Scenario& s, double energy) {
-  return energy * s.cavity.radius / stiffness(s.wire).bend;
+  return energy / units_of(s).scaled_energy();
 }
 
 // The whole history where a quantity is a column of it.

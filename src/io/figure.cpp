@@ -133,26 +133,24 @@ SpoolModel spool_of(const Scenario& scenario) {
 std::string curves(const std::vector<FigureRun>& runs) {
   std::string text;
   for (const FigureRun& run : runs) {
-    const double radius = run.scenario.cavity.radius;
-    const double bend = stiffness(run.scenario.wire).bend;
+    const double unit = units_of(run.scenario).scaled_energy();
     text += fmt::format("# {}\n# packing_density F*R^2/YI E_bend*R/YI E_twist*R/YI\n", run.label);
     for (const HistoryRow& row : run.history) {
       text += fmt::format("{} {} {} {}\n", row.packing_density, row.scaled_force,
-                          row.energy_bend * radius / bend, row.energy_twist * radius / bend);
+                          row.energy_bend / unit, row.energy_twist / unit);
     }
     text += "\n\n";
   }
   for (const FigureRun& run : runs) {
     const SpoolModel spool = spool_of(run.scenario);
-    const double radius = run.scenario.cavity.radius;
+    const Units units = units_of(run.scenario);
     const double last = run.history.empty() ? 0 : run.history.back().packing_density;
     text += fmt::format("# inverse spool beside {}\n# packing_density F*R^2/YI E_bend*R/YI\n",
                         run.label);
     for (int k = 0; k <= 100; ++k) {
       const double phi = std::min(last, 0.99 * spool.largest_density()) * k / 100;
-      text += fmt::format("{} {} {}\n", phi,
-                          spool.injection_force(phi) * radius * radius / spool.bend_stiffness,
-                          spool.bend_energy(phi) * radius / spool.bend_stiffness);
+      text += fmt::format("{} {} {}\n", phi, spool.injection_force(phi) / units.scaled_force(),
+                          spool.bend_energy(phi) / units.scaled_energy());
     }
     text += "\n\n";
   }
@@ -195,7 +193,7 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame) {
   const Index n = frame.rod.node_count();
   const double radius = scenario.cavity.radius;
-  const double unit = stiffness(scenario.wire).bend / (2 * radius * radius);
+  const double unit = units_of(scenario).scaled_force() / 2;
   const auto edge = [&](Index j) {
     return (frame.rod.nodes.col(j + 1) - frame.rod.nodes.col(j)).norm();
   };
@@ -243,7 +241,7 @@ void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
        curve_style + std::string("set ylabel 'energy E R / YI'\n") +
            height(runs,
                   [](const Scenario& scenario, const HistoryRow& row) {
-                    return row.energy_bend * scenario.cavity.radius / stiffness(scenario.wire).bend;
+                    return row.energy_bend / units_of(scenario).scaled_energy();
                   }) +
            plot(runs, "energy", 3, "bending, ") + twist + "\n",
        "14cm,10cm", "1200,860");

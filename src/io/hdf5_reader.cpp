@@ -7,6 +7,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/config_file.hpp"
+#include "wirepack/packing/own_units.hpp"
 
 #include "checkpoint.hpp"
 #include "hdf5_values.hpp"
@@ -56,20 +57,22 @@ auto reading(const std::string& name, F&& f) {
   }
 }
 
+std::int64_t version_of(hid_t file) { return read_attribute<std::int64_t>(file, "format_version"); }
+
 void require_format(hid_t file, const std::string& name) {
   const QuietHdf5 quiet;
   std::string format;
   std::int64_t version = 0;
   try {
     format = read_text_attribute(file, "format");
-    version = read_attribute<std::int64_t>(file, "format_version");
+    version = version_of(file);
   } catch (const FileError&) {
     format.clear();
   }
   if (format != result_format) throw FileError(name + ": is not a result file of wirepack");
-  if (version != result_format_version) {
-    throw FileError(fmt::format("{}: has format version {}; this wirepack reads version {}", name,
-                                version, result_format_version));
+  if (version < 1 || version > result_format_version) {
+    throw FileError(fmt::format("{}: has format version {}; this wirepack reads versions 1 to {}",
+                                name, version, result_format_version));
   }
 }
 
@@ -174,6 +177,9 @@ PackingFrame Hdf5Reader::frame(std::int64_t increment) const {
 PackingProgress Hdf5Reader::progress() const {
   return reading(opened_->name, [&] {
     PackingProgress progress = read_progress(opened_->file);
+    if (version_of(opened_->file) == 1) {
+      progress = in_own_units(std::move(progress), units_of(scenario()));
+    }
     check_state(progress.rod);
     return progress;
   });

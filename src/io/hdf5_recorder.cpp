@@ -129,7 +129,7 @@ void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReas
     write_history(image, columns_of(scenario_), rows_);
     const Hdf5Handle frames = open_or_create_group(image, "frames");
     for (const PackingFrame& frame : frames_) write_frame(frames, frame);
-    write_progress(image, progress);
+    write_progress(image, progress, units_of(scenario_));
     bytes = bytes_of_image(image);
   } catch (const FileError& error) {
     throw FileError(file_.string() + ": cannot be written: " + error.what());

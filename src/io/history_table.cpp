@@ -7,7 +7,7 @@ namespace wirepack {
 HistoryTable::HistoryTable(const Scenario& scenario)
     : radius_(scenario.wire.radius),
       force_unit_(force_unit(scenario)),
-      energy_unit_(stiffness(scenario.wire).bend / scenario.cavity.radius) {}
+      energy_unit_(units_of(scenario).scaled_energy()) {}
 
 std::string HistoryTable::header() const {
   const char* format =

@@ -16,11 +16,12 @@ namespace wirepack {
 
 namespace {
 
+// Lengths are sums of increments, in any unit: rows at the end of a range must not depend on that.
+constexpr double round_off = 1e-9;
+
 using Value = std::optional<double>;
 /// Value of a run near a density.
 using Reading = std::function<Value(const ComparedRun&, double density)>;
-
-double bend_stiffness(const Scenario& s) { return stiffness(s.wire).bend; }
 
 // Mean of rows within the window.
 Reading mean_of_rows(double window, std::function<double(const Scenario&, const HistoryRow&)> of) {
@@ -28,7 +29,7 @@ Reading mean_of_rows(double window, std::function<double(const Scenario&, const 
     double sum = 0;
     int count = 0;
     for (const HistoryRow& row : run.history) {
-      if (std::abs(row.packing_density - density) > window) continue;
+      if (std::abs(row.packing_density - density) > window * (1 + round_off)) continue;
       sum += of(run.scenario, row);
       ++count;
     }
@@ -111,8 +112,8 @@ void for_each_curled_row(const ComparedRun& run, double largest, F&& f) {
   const double curled = 4 * run.scenario.cavity.radius;
   const HistoryRow* before = nullptr;
   for (const HistoryRow& row : run.history) {
-    if (row.packing_density > largest * (1 + 1e-9)) break;
-    if (row.inserted_length > curled && before != nullptr) f(*before, row);
+    if (row.packing_density > largest * (1 + round_off)) break;
+    if (row.inserted_length > curled * (1 + round_off) && before != nullptr) f(*before, row);
     before = &row;
   }
 }
@@ -133,8 +134,7 @@ ForceBudget budget_of(const std::vector<ComparedRun>& runs, Way way, double larg
       one.friction += row.friction_dissipation;
       one.viscous += row.viscous_dissipation;
     });
-    const double radius = run.scenario.cavity.radius;
-    const double unit = length * bend_stiffness(run.scenario) / (radius * radius);
+    const double unit = length * units_of(run.scenario).scaled_force();
     if (!(length > 0)) return;
     ++count;
     sum.force += one.force / unit;
@@ -157,7 +157,7 @@ Cost cost_of(const std::vector<ComparedRun>& runs, Way way, double largest) {
     ++count;
     double seconds = 0;
     for (const HistoryRow& row : run.history) {
-      if (row.packing_density > largest * (1 + 1e-9)) break;
+      if (row.packing_density > largest * (1 + round_off)) break;
       sum.evaluations += row.evaluations;
       seconds = row.wall_seconds;
     }
@@ -222,7 +222,7 @@ Comparison compare(const std::vector<ComparedRun>& runs) {
     const double phi = 0.025 * k;
     if (phi > 0.1 && k % 2 != 0) continue;
     if (phi - result.window < curled) continue;
-    if (phi <= result.largest_density * (1 + 1e-9)) result.densities.push_back(phi);
+    if (phi <= result.largest_density * (1 + round_off)) result.densities.push_back(phi);
   }
   if (result.densities.empty()) {
     throw InvalidInput(
@@ -230,24 +230,24 @@ Comparison compare(const std::vector<ComparedRun>& runs) {
         "a length of 4 R, where the wire has curled up; give a larger density");
   }
 
-  const double bend = bend_stiffness(scenario);
+  const Units units = units_of(scenario);
   const auto add = [&](std::string name, std::string unit, double tolerance, bool relative,
                        const Reading& reading) -> ComparedQuantity& {
     return result.quantities.emplace_back(quantity(runs, result.densities, std::move(name),
                                                    std::move(unit), tolerance, relative, reading));
   };
   const auto rows = [&](auto of) { return mean_of_rows(result.window, of); };
-  const SpoolModel spool{scenario.cavity, a, bend, SpoolModel::seen_spacing * a};
+  const SpoolModel spool{scenario.cavity, a, units.bend, SpoolModel::seen_spacing * a};
   result.quantities.reserve(8);
   ComparedQuantity& energy =
       add("bend_energy", "YI/R", 0.03, true,
-          rows([=](auto&, const HistoryRow& r) { return r.energy_bend * radius / bend; }));
-  add_spool(energy, result.densities, spool, &SpoolModel::bend_energy, bend / radius);
+          rows([=](auto&, const HistoryRow& r) { return r.energy_bend / units.scaled_energy(); }));
+  add_spool(energy, result.densities, spool, &SpoolModel::bend_energy, units.scaled_energy());
   add("twist_energy", "YI/R", 0.5, false,
-      rows([=](auto&, const HistoryRow& r) { return r.energy_twist * radius / bend; }));
+      rows([=](auto&, const HistoryRow& r) { return r.energy_twist / units.scaled_energy(); }));
   ComparedQuantity& force = add("scaled_force", "YI/R^2", 0.05, true,
                                 rows([](auto&, const HistoryRow& r) { return r.scaled_force; }));
-  add_spool(force, result.densities, spool, &SpoolModel::injection_force, bend / (radius * radius));
+  add_spool(force, result.densities, spool, &SpoolModel::injection_force, units.scaled_force());
   add("axis_order", "", 0.05, false, of_frame(result.window, axis_order));
   add("strand_spacing", "a", 0.03, true, of_frame(result.window, spacing_of));
   add("contacts_per_length", "1/a", 0.1, true,

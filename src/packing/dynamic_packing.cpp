@@ -142,15 +142,22 @@ std::optional<StopReason> limit_reached(const Scenario& scenario, const PackingP
   return reached_limit(scenario, progress.last, std::nullopt);
 }
 
-std::string unstable_message(const HistoryRow& row, double step) {
+std::string unstable_message(double increment, double inserted_length, double time_step) {
   std::ostringstream text;
-  text << "the integration has become unstable in increment " << row.increment
-       << " (L = " << row.inserted_length
-       << "): energies do not add up; a shorter dynamics.time_step than " << step << " may help";
+  text << "the integration has become unstable in increment " << increment
+       << " (L = " << inserted_length
+       << "): energies do not add up; a shorter dynamics.time_step than " << time_step
+       << " may help";
   return text.str();
 }
 
 }  // namespace
+
+UnstableIntegration::UnstableIntegration(double increment, double inserted_length, double time_step)
+    : NumericalFailure(unstable_message(increment, inserted_length, time_step)),
+      increment_(increment),
+      inserted_length_(inserted_length),
+      time_step_(time_step) {}
 
 struct DynamicPacking::Model : PackingModel {
   explicit Model(const Scenario& configured)
@@ -288,7 +295,7 @@ std::optional<StopReason> DynamicPacking::advance() {
   const double turnover =
       std::abs(work) + std::abs(friction) + viscous + force_unit(model_->scenario) * fed;
   if (!(std::abs(change) < unstable_share * turnover)) {
-    throw NumericalFailure(unstable_message(row, model_->step));
+    throw UnstableIntegration(row.increment, row.inserted_length, model_->step);
   }
   next.last = row;
   note_force(model_->scenario, next);

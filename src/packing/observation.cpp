@@ -70,8 +70,9 @@ void note_force(const Scenario& scenario, PackingProgress& progress) {
   note_force(edge_length, progress.last, progress.recent_forces);
   const std::optional<double> force = mean_force(edge_length, progress.recent_forces);
   if (!force) return;
-  note_crossings(progress.scaled_crossings, *force / force_unit(scenario), density);
-  note_crossings(progress.absolute_crossings, *force / absolute_force_unit(scenario), density);
+  const Units units = units_of(scenario);
+  note_crossings(progress.scaled_crossings, *force / units.scaled_force(), density);
+  note_crossings(progress.absolute_crossings, *force / units.force(), density);
 }
 
 bool frame_is_due(const Scenario& scenario, const PackingProgress& progress) {

@@ -46,8 +46,8 @@ Stiffness joint_stiffness(const Scenario& scenario, const RodParams& wire) {
 EquilibriumOptions options_of(const Scenario& scenario) {
   const RodParams& wire = scenario.wire;
   const double force = scenario.minimizer.tolerance * force_unit(scenario);
-  EquilibriumOptions options{force, force * wire.radius,
-                             scenario.minimizer.shift * stiffness(wire).bend, scenario.minimizer};
+  EquilibriumOptions options =
+      equilibrium_options(stiffness(wire).bend, wire.radius, force, scenario.minimizer);
   // two strands that close in on each other by 0.8 a each still touch on their old sides
   options.guard = {0.8 * wire.radius, 10 * wire.youngs_modulus * wire.edge_length, nullptr};
   if (scenario.contact_enabled) {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string_view>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
 #include "wirepack/packing/longest_wire.hpp"
+
+#include "scenario_numbers.hpp"
 
 namespace wirepack {
 
@@ -37,6 +40,24 @@ Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wir
 
 namespace {
 
+// Of limits: numbers that were converted from other units are off by this much.
+constexpr double round_off = 1e-9;
+constexpr double largest_magnitude = 1e12;
+
+// What is so far from its unit cannot be meant, and products would leave the range of numbers.
+void check_magnitudes(const Scenario& scenario, std::vector<std::string>& found) {
+  for_each_number_with_unit(scenario, [&](std::string_view key, double number, double unit) {
+    if (key == "stop.length") return;  // may be as far as it likes
+    const double smallest = unit / largest_magnitude, largest = unit * largest_magnitude;
+    if (number == 0 || (std::abs(number) >= smallest && std::abs(number) <= largest)) return;
+    std::ostringstream text;
+    text << key << " = " << number << ": its size must be between " << smallest << " and "
+         << largest << ", 1e12 times less and more than " << unit
+         << ", its unit by radius, modulus and density of the wire";
+    found.push_back(text.str());
+  });
+}
+
 void check_reference_shape(const Scenario& scenario, std::vector<std::string>& found) {
   const ReferenceShape& shape = scenario.wire.reference_shape;
   if (shape.empty()) return;
@@ -45,14 +66,14 @@ void check_reference_shape(const Scenario& scenario, std::vector<std::string>& f
     sharpest = std::max(sharpest, row.darboux.norm());
   }
   std::ostringstream text;
-  if (!(scenario.wire.edge_length * sharpest <= 1)) {
+  if (!(scenario.wire.edge_length * sharpest <= 1 + round_off)) {
     text << "wire.edge_length = " << scenario.wire.edge_length << ": must be at most "
          << 1 / sharpest << ", as wire.reference_shape turns by a radian over that";
     found.push_back(text.str());
   }
   // lengths are sums of increments: round-off is allowed
   const double length = longest_wire(scenario);
-  if (shape.beyond == BeyondShape::error && !(length <= shape.table.length() * (1 + 1e-9))) {
+  if (shape.beyond == BeyondShape::error && !(length <= shape.table.length() * (1 + round_off))) {
     text.str("");
     text << "wire.reference_shape_beyond = error: the shape is " << shape.table.length()
          << " long and the run may insert ";
@@ -89,17 +110,17 @@ std::vector<std::string> problems(const Scenario& scenario) {
   if (positive(radius) && positive(a)) {
     std::ostringstream allowed;
     allowed << "must be at least twice wire.radius = " << a;
-    require(radius >= 2 * a, "cavity.radius", radius, allowed.str());
+    require(radius >= 2 * a * (1 - round_off), "cavity.radius", radius, allowed.str());
     std::ostringstream largest;
     largest << "must be at most 1000 times wire.radius = " << a;
-    require(radius <= 1000 * a, "cavity.radius", radius, largest.str());
-    if (radius >= 2 * a && positive(l)) {
+    require(radius <= 1000 * a * (1 + round_off), "cavity.radius", radius, largest.str());
+    if (radius >= 2 * a * (1 - round_off) && positive(l)) {
       std::ostringstream longest;
       longest << "must be at most half of cavity.radius - wire.radius, " << (radius - a) / 2;
-      require(l <= (radius - a) / 2, "wire.edge_length", l, longest.str());
+      require(l <= (radius - a) / 2 * (1 + round_off), "wire.edge_length", l, longest.str());
       std::ostringstream shortest;
       shortest << "must be at least a tenth of wire.radius = " << a;
-      require(l >= a / 10, "wire.edge_length", l, shortest.str());
+      require(l >= a / 10 * (1 - round_off), "wire.edge_length", l, shortest.str());
     }
   }
   require(positive(scenario.wall_stiffness), "cavity.wall_stiffness", scenario.wall_stiffness,
@@ -108,7 +129,8 @@ std::vector<std::string> problems(const Scenario& scenario) {
           must_be_positive);
   require(positive(scenario.contact.excluded_arc_length), "contact.excluded_arc_length",
           scenario.contact.excluded_arc_length, must_be_positive);
-  require(scenario.insertion.increment >= l / 1000 && scenario.insertion.increment <= l,
+  require(scenario.insertion.increment >= l / 1000 * (1 - round_off) &&
+              scenario.insertion.increment <= l * (1 + round_off),
           "insertion.increment", scenario.insertion.increment,
           "must be at least a thousandth of wire.edge_length and at most all of it");
   require(scenario.insertion.perturbation >= 1e-9 && scenario.insertion.perturbation <= 0.1,
@@ -146,6 +168,8 @@ std::vector<std::string> problems(const Scenario& scenario) {
   }
 
   require(positive(scenario.density), "wire.density", scenario.density, must_be_positive);
+  require(!positive(scenario.density) || (scenario.density >= 1e-60 && scenario.density <= 1e60),
+          "wire.density", scenario.density, "must be between 1e-60 and 1e60");
   if (scenario.dynamics.damping) {
     require(not_negative(*scenario.dynamics.damping), "dynamics.damping",
             *scenario.dynamics.damping, "must be finite and not negative");
@@ -160,7 +184,8 @@ std::vector<std::string> problems(const Scenario& scenario) {
     allowed << "must be positive and at most " << longest
             << ": vibrations grow by themselves when it is longer than half of the inverse of the "
                "highest frequency";
-    require(positive(*scenario.dynamics.time_step) && *scenario.dynamics.time_step <= longest,
+    require(positive(*scenario.dynamics.time_step) &&
+                *scenario.dynamics.time_step <= longest * (1 + round_off),
             "dynamics.time_step", *scenario.dynamics.time_step, allowed.str());
   }
 
@@ -178,7 +203,7 @@ std::vector<std::string> problems(const Scenario& scenario) {
   const auto up_to = [&](const char* key, double value, double largest, const char* unit) {
     std::ostringstream allowed;
     allowed << "must be between 0 and " << largest << " (" << unit << ")";
-    require(not_negative(value) && value <= largest, key, value, allowed.str());
+    require(not_negative(value) && value <= largest * (1 + round_off), key, value, allowed.str());
   };
   up_to("imperfection.natural_curvature", imperfection.natural_curvature, 1, "over 1 / R");
   require(imperfection.natural_curvature == 0 || scenario.wire.reference_shape.empty(),
@@ -190,6 +215,7 @@ std::vector<std::string> problems(const Scenario& scenario) {
           scenario.output.frame_every_density, must_be_positive);
   require(not_negative(scenario.output.checkpoint_every_seconds), "output.checkpoint_every_seconds",
           scenario.output.checkpoint_every_seconds, "must not be negative");
+  if (found.empty()) check_magnitudes(scenario, found);
   return found;
 }
 

@@ -30,8 +30,9 @@ std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryR
     return limit && value >= static_cast<double>(*limit) * (1 - 1e-12);
   };
   if (force) {
-    if (reached(*force / force_unit(scenario), stop.scaled_force)) return StopReason::scaled_force;
-    if (reached(*force / absolute_force_unit(scenario), stop.force)) return StopReason::force;
+    const Units units = units_of(scenario);
+    if (reached(*force / units.scaled_force(), stop.scaled_force)) return StopReason::scaled_force;
+    if (reached(*force / units.force(), stop.force)) return StopReason::force;
   }
   if (reached(row.packing_density, stop.density)) return StopReason::density;
   if (reached(row.inserted_length, stop.length)) return StopReason::length;

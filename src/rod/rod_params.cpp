@@ -24,8 +24,13 @@ std::vector<std::string> problems(const RodParams& params) {
   };
   const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
   require(positive(params.radius), "wire.radius", params.radius, "must be positive and finite");
+  require(!positive(params.radius) || (params.radius >= 1e-30 && params.radius <= 1e30),
+          "wire.radius", params.radius, "must be between 1e-30 and 1e30");
   require(positive(params.youngs_modulus), "wire.youngs_modulus", params.youngs_modulus,
           "must be positive and finite");
+  require(!positive(params.youngs_modulus) ||
+              (params.youngs_modulus >= 1e-60 && params.youngs_modulus <= 1e60),
+          "wire.youngs_modulus", params.youngs_modulus, "must be between 1e-60 and 1e60");
   require(params.poisson_ratio > -1 && params.poisson_ratio <= 0.5, "wire.poisson_ratio",
           params.poisson_ratio, "must be above -1 and at most 0.5");
   require(positive(params.stretch_multiplier), "wire.stretch_multiplier", params.stretch_multiplier,

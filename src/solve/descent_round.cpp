@@ -10,6 +10,7 @@
 #include "wirepack/solve/minimizer.hpp"
 #include "wirepack/solve/preconditioner.hpp"
 
+#include "shifted_hessian.hpp"
 #include "stopwatch.hpp"
 
 namespace wirepack {
@@ -63,16 +64,9 @@ GuardReport guard_energy(const FrameChart& chart, const Points& moves, double di
 
 Preconditioner preconditioner_at(const FrameChart& chart, const EnergyTerms& energy,
                                  const EquilibriumOptions& options, SolverWork& work) {
-  const auto curvature = [&](double exactness) {
-    CurvatureModel model(chart, exactness);
-    energy.add_curvature(chart.reference(), model);
-    return model.lower_triangle(options.shift);
-  };
   const auto factored = [&](double exactness) {
-    ++work.factorizations;
-    const auto definiteness = exactness > 0 ? Preconditioner::Definiteness::unknown
-                                            : Preconditioner::Definiteness::positive;
-    return Preconditioner::factored(curvature(exactness), options.shift, definiteness);
+    return factored_hessian(shifted_hessian(chart, energy, options, exactness), options,
+                            exactness == 0, work);
   };
   std::optional<Preconditioner> result = factored(options.exactness);
   if (!result && options.exactness > 0) result = factored(0);

@@ -87,6 +87,12 @@ class Search {
 
 }  // namespace
 
+EquilibriumOptions equilibrium_options(double bend_stiffness, double length, double force_tolerance,
+                                       const MinimizerOptions& method) {
+  return {force_tolerance, force_tolerance * length,
+          method.shift * bend_stiffness / (length * length * length), method};
+}
+
 EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
                                     const EnergyTerms& energy, const EquilibriumOptions& options) {
   Search search(state, held, energy, options);

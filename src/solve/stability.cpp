@@ -8,6 +8,7 @@
 #include "wirepack/core/random.hpp"
 #include "wirepack/solve/preconditioner.hpp"
 
+#include "shifted_hessian.hpp"
 #include "stopwatch.hpp"
 
 namespace wirepack {
@@ -22,13 +23,6 @@ constexpr int lanczos_steps = 40;
 constexpr int most_saddles = 6;
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-Sparse model_of(const FrameChart& chart, const EnergyTerms& energy, double exactness,
-                double shift) {
-  CurvatureModel model(chart, exactness);
-  energy.add_curvature(chart.reference(), model);
-  return model.lower_triangle(shift);
-}
 
 struct Eigenpair {
   double value;
@@ -125,16 +119,11 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
   Stopwatch watch;
   const FrameChart chart(state, held);
   work.list_builds += energy.prepare(chart.reference());
-  const auto factored = [&](const Sparse& lower, Preconditioner::Definiteness definiteness) {
-    ++work.factorizations;
-    return Preconditioner::factored(lower, options.shift, definiteness);
-  };
   Stability result;
-  const Sparse hessian = model_of(chart, energy, 1, options.shift);
-  auto factor = factored(hessian, Preconditioner::Definiteness::unknown);
+  const Sparse hessian = shifted_hessian(chart, energy, options, 1);
+  auto factor = factored_hessian(hessian, options, false, work);
   if (!factor) {
-    factor =
-        factored(model_of(chart, energy, 0, options.shift), Preconditioner::Definiteness::positive);
+    factor = factored_hessian(shifted_hessian(chart, energy, options, 0), options, true, work);
     if (!factor) throw NumericalFailure("the curvature model is not positive definite");
     const Eigenpair lowest = lowest_eigenpair(hessian, *factor);
     result.lowest_eigenvalue = lowest.value;

@@ -58,10 +58,8 @@ Points polygon_nodes(Index edges, double radius) {
 
 EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
                             const RestLimits& limits, double bend_stiffness) {
-  EquilibriumOptions options{};
-  options.force_tolerance = limits.force;
-  options.moment_tolerance = limits.moment;
-  options.shift = 1e-6 * bend_stiffness;
+  const EquilibriumOptions options =
+      equilibrium_options(bend_stiffness, limits.moment / limits.force, limits.force);
   const EquilibriumReport report = solve_equilibrium(state, held, energy, options);
   if (report.end != EquilibriumEnd::converged) {
     throw NumericalFailure("no rest was found; the residual is " + std::to_string(report.residual) +

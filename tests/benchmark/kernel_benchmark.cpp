@@ -110,7 +110,7 @@ struct Descent {
   Eigen::SparseMatrix<double> curvature() {
     CurvatureModel model(chart, 0.7);  // as packings take it
     energy().add_curvature(chart.reference(), model);
-    return model.lower_triangle(shift());
+    return model.lower_triangle(shift(), shift());
   }
 };
 

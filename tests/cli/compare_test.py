@@ -1,11 +1,25 @@
 """wirepack compare: both methods on one scenario."""
 
 import json
+import shutil
 import unittest
 
 from support import ProgramTest
 
 SCENARIO = '[packing]\nsetup = "low_torsion"\n\n[cavity]\nradius = 4\n'
+
+
+def numbers(value, name=""):
+    """All numbers of a JSON document that are not of the machine, by name."""
+    if isinstance(value, dict):
+        for key, part in value.items():
+            if key not in ("seconds", "configuration"):
+                yield from numbers(part, f"{name}/{key}")
+    elif isinstance(value, list):
+        for i, part in enumerate(value):
+            yield from numbers(part, f"{name}/{i}")
+    elif isinstance(value, (int, float)):
+        yield name, value
 
 
 class Compare(ProgramTest):
@@ -30,6 +44,27 @@ class Compare(ProgramTest):
         code, _, err = self.run_program(*command, "--set", "wire.edge_length=0.6")
         self.assertEqual(code, 2)
         self.assertIn("is of another configuration", err)
+
+    def test_other_units_give_the_same_comparison(self):
+        def compared(text):
+            self.write("run.toml", text)
+            command = ["compare", "run.toml", "-o", "out", "--density", "0.15"]
+            code, out, err = self.run_program(*command)
+            self.assertEqual(code, 0, err)
+            result = json.loads((self.folder / "out" / "comparison.json").read_text())
+            shutil.rmtree(self.folder / "out")
+            return list(numbers(result))
+
+        one = '[cavity]\nradius = 5\n[wire]\nedge_length = 2\n[insertion]\nincrement = 2\n'
+        other = (
+            "[cavity]\nradius = 5e-9\n[wire]\nradius = 1e-9\nyoungs_modulus = 2.6e8\n"
+            "density = 1100\nedge_length = 2e-9\n[insertion]\nincrement = 2e-9\n"
+        )
+        first, second = compared(one), compared(other)
+        self.assertEqual(len(first), len(second))
+        for (name, value), (other_name, other_value) in zip(first, second):
+            self.assertEqual(name, other_name)
+            self.assertAlmostEqual(value, other_value, delta=1e-12 * abs(value), msg=name)
 
     def test_bad_input_leaves_nothing_behind(self):
         self.write("run.toml", SCENARIO)

@@ -11,6 +11,41 @@ import h5py
 from support import ProgramTest, SMALL_RUN, check_readable, datasets, differing
 
 
+# a = 2, Y = 4, rho = 4: powers of two, so that changing units rounds nothing
+IN_OTHER_UNITS = """
+[packing]
+setup = "high_torsion"
+[wire]
+radius = 2
+youngs_modulus = 4
+density = 4
+[contact]
+excluded_arc_length = 6
+[cavity]
+radius = 8
+[friction]
+model = "coulomb"
+"""
+
+
+def make_version_1(path):
+    """Of a file IN_OTHER_UNITS, as it was before the checkpoint was in units of the wire."""
+    length, force, energy, time = 2.0, 16.0, 32.0, 2.0
+    units = {"length": length, "force": force, "force length": energy, "time": time}
+    with h5py.File(path, "a") as file:
+        checkpoint = file["checkpoint"]
+        file.attrs["format_version"] = 1
+        del checkpoint["balance"]
+        checkpoint["nodes"][...] *= length
+        checkpoint.attrs["inlet_rest_length"] *= length
+        checkpoint.attrs["trapezoid_error"] *= energy
+        if len(checkpoint["slip_memory"]):
+            checkpoint["slip_memory"][:, 2:] *= length
+        checkpoint["recent_forces"][...] *= [length, force]
+        for name, column in file["history"].items():
+            checkpoint["last"].attrs[name] *= units.get(column.attrs["unit"], 1)
+
+
 class Resume(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -118,6 +153,31 @@ class Resume(ProgramTest):
             if name.startswith(("history/", "checkpoint/")) and "@" not in name:
                 self.assertEqual(value.tolist(), second[name].tolist(), name)
 
+    def test_a_file_of_format_version_1_goes_on_to_the_same_bits(self):
+        self.write("run.toml", IN_OTHER_UNITS)
+        whole = self.run_whole("whole.h5", "--set", "stop.increments=60")
+        part = self.run_whole("part.h5", "--set", "stop.increments=40")
+        make_version_1(part)
+        code, _, err = self.run_program(
+            "run", "run.toml", "-o", "part.h5", "--resume", "--set", "stop.increments=60"
+        )
+        self.assertEqual(code, 0, err)
+        first, second = datasets(whole), datasets(part)
+        self.assertGreater(len(first["checkpoint/slip_memory"]), 5)
+        for name, value in first.items():
+            if name.startswith(("history/", "checkpoint/", "balance")) and "@" not in name:
+                self.assertEqual(value.tolist(), second[name].tolist(), name)
+
+    def test_the_balance_is_in_the_units_of_the_configuration(self):
+        self.write("run.toml", IN_OTHER_UNITS)
+        with h5py.File(self.run_whole("whole.h5", "--set", "stop.increments=40")) as file:
+            balance = file["balance"].attrs
+            self.assertEqual(balance["energy"], file["history/energy_total"][-1])
+            length, force = file["history/inserted_length"][()], file["history/force"][()]
+            work = sum((length[1:] - length[:-1]) * (force[1:] + force[:-1]) / 2)
+            self.assertAlmostEqual(balance["work"] / work, 1, delta=0.03)
+            self.assertEqual(file["checkpoint/balance"].attrs["work"], balance["work"] / 32)
+
     def test_a_finished_run_stays_as_it_is(self):
         whole = self.run_whole()
         before = whole.read_bytes()
@@ -135,14 +195,14 @@ class Resume(ProgramTest):
             file["x"] = 1
         self.write("new.h5", whole)
         with h5py.File(self.folder / "new.h5", "a") as file:
-            file.attrs["format_version"] = 2
+            file.attrs["format_version"] = 3
         for name, content, part in [
             ("text.h5", b"hello", "is not an HDF5 file"),
             ("empty.h5", b"", "is not an HDF5 file"),
             ("cut.h5", whole[: len(whole) // 2], "is damaged"),
             ("holes.h5", bytes(damaged), "holes.h5: is"),
             ("other.h5", None, "is not a result file of wirepack"),
-            ("new.h5", None, "has format version 2"),
+            ("new.h5", None, "has format version 3"),
         ]:
             with self.subTest(name):
                 path = self.folder / name

@@ -45,8 +45,8 @@ class CurvatureModel {
   /// Adds a symmetric positive semidefinite 3 x 3 block at one node.
   void add_node_block(Index node, const Mat3& value);
 
-  /// Lower triangle in the chart's numbering, `shift` added on the diagonal.
-  Eigen::SparseMatrix<double> lower_triangle(double shift) const;
+  /// Lower triangle in the chart's numbering, with shifts added on the diagonal: of places and of angles.
+  Eigen::SparseMatrix<double> lower_triangle(double shift, double angle_shift) const;
 
  private:
   // A block of four slots by four of the lower triangle is found by its column: the first three, which

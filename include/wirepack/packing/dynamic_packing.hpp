@@ -3,12 +3,25 @@
 #include <memory>
 #include <optional>
 
+#include "wirepack/core/error.hpp"
 #include "wirepack/packing/packing_frame.hpp"
 #include "wirepack/packing/packing_progress.hpp"
 #include "wirepack/packing/scenario.hpp"
 #include "wirepack/packing/stop_rule.hpp"
 
 namespace wirepack {
+
+/// Energies of an increment do not add up, as the time step is too long.
+class UnstableIntegration : public NumericalFailure {
+ public:
+  UnstableIntegration(double increment, double inserted_length, double time_step);
+  double increment() const { return increment_; }
+  double inserted_length() const { return inserted_length_; }  ///< [length]
+  double time_step() const { return time_step_; }              ///< [time]
+
+ private:
+  double increment_, inserted_length_, time_step_;
+};
 
 /// One packing run in time (Stoop et al. 2011): the rest length of the inlet edge grows at a constant
 /// speed, nodes and edge spins are integrated with the 6-value Gear scheme, strands and wall rub with
@@ -25,8 +38,8 @@ class DynamicPacking {
   DynamicPacking(DynamicPacking&&) noexcept;
 
   /// The next increment; progress().last is its row. Returns why the run is over, if it is. Throws
-  /// NumericalFailure when the integration has become unstable; then the progress is that of the
-  /// last good increment.
+  /// UnstableIntegration and other NumericalFailures; then the progress is that of the last good
+  /// increment.
   std::optional<StopReason> advance();
 
   const PackingProgress& progress() const { return progress_; }

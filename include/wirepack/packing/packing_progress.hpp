@@ -29,7 +29,8 @@ struct MotionProgress {
   EnergyFlow flow;  ///< at the last step
 };
 
-/// Everything a run needs to go on, bit for bit, from the last accepted increment.
+/// Everything a run needs to go on, bit for bit, from the last accepted increment. Units are those that
+/// the run is computed in: of its own wire in a PackingRun and in result files (see in_own_units).
 struct PackingProgress {
   RodState rod;
   HistoryRow last;  ///< of the last accepted increment; zeros at the start

@@ -9,6 +9,7 @@
 #include "wirepack/contact/friction_params.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
 #include "wirepack/feed/nozzle.hpp"
+#include "wirepack/packing/units.hpp"
 #include "wirepack/rod/rod_params.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
@@ -90,13 +91,13 @@ std::vector<std::string> problems(const Scenario& scenario);
 /// Throws InvalidInput with all problems, a line each, unless there are none.
 void require_valid(const Scenario& scenario);
 
-/// YI / R^2 and Y a^2: forces over them are what stop.scaled_force and stop.force mean.
-inline double force_unit(const Scenario& scenario) {
-  return stiffness(scenario.wire).bend / (scenario.cavity.radius * scenario.cavity.radius);
+inline Units units_of(const Scenario& scenario) {
+  return {scenario.wire.radius, scenario.wire.youngs_modulus, scenario.density,
+          scenario.cavity.radius, stiffness(scenario.wire).bend};
 }
-inline double absolute_force_unit(const Scenario& scenario) {
-  return scenario.wire.youngs_modulus * scenario.wire.radius * scenario.wire.radius;
-}
+
+/// YI / R^2: forces over it are what stop.scaled_force means; stop.force is over Y a^2.
+inline double force_unit(const Scenario& scenario) { return units_of(scenario).scaled_force(); }
 
 /// Inserted length by which a first coil has formed; until then the straight wire is perturbed.
 inline double first_coil_length(const SphericalCavity& cavity) {

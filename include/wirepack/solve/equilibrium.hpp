@@ -14,7 +14,7 @@ struct MinimizerOptions {
   int max_evaluations = 20000;  ///< per equilibrium
   int memory = 20;              ///< vector pairs of L-BFGS
   int refactor_every = 35;      ///< most evaluations with one factor of the curvature model
-  double shift = 1e-6;          ///< added to the curvature model's diagonal, over YI
+  double shift = 1e-6;          ///< added to the curvature model's diagonal, over YI / a^3
 };
 
 /// Keeps strands from jumping through each other on the way down. Within one round (one factor, one
@@ -33,13 +33,20 @@ struct MoveGuard {
 struct EquilibriumOptions {
   double force_tolerance;   ///< on components of dE/dr
   double moment_tolerance;  ///< on dE/d(angle)
-  double shift;             ///< on the curvature model's diagonal
+  double shift;             ///< on the curvature model's diagonal [force / length]; for angles it
+                            ///< is times (moment_tolerance / force_tolerance)^2
   MinimizerOptions method;  ///< evaluations, memory, refactoring
   MoveGuard guard = {};
   /// Of the curvature model: how much it is the Hessian instead of squares, where that is positive.
   double exactness = 0;
   double turning_taper = 0;  ///< > 0: steps follow a rotation of the whole wire (TurningChart)
 };
+
+/// Options in any units, for a wire with this bending stiffness YI [force length^2]: moments are at rest to
+/// within force_tolerance times `length`, a length of what is looked for (the radius in a packing), and the
+/// shift is over YI / length^3.
+EquilibriumOptions equilibrium_options(double bend_stiffness, double length, double force_tolerance,
+                                       const MinimizerOptions& method = {});
 
 enum class EquilibriumEnd { converged, evaluation_limit, stalled, inadmissible };
 

@@ -21,14 +21,13 @@ Eigen::MatrixXd model_of(const FrameChart& chart, Energy& energy, double exactne
   EnergyTerms{energy}.prepare(chart.reference());
   CurvatureModel model(chart, exactness);
   energy.add_curvature(chart.reference(), model);
-  return Eigen::MatrixXd(model.lower_triangle(0)).selfadjointView<Eigen::Lower>();
+  return Eigen::MatrixXd(model.lower_triangle(0, 0)).selfadjointView<Eigen::Lower>();
 }
 
-// Central differences of the gradient in the unknowns of the chart.
+// Central differences of the gradient in the unknowns of the chart, by these moves.
 template <EnergyTerm Energy>
-Eigen::MatrixXd hessian_of(const FrameChart& chart, Energy& energy) {
+Eigen::MatrixXd hessian_of(const FrameChart& chart, Energy& energy, const Eigen::VectorXd& moves) {
   EnergyTerms{energy}.prepare(chart.reference());
-  const double difference = 1e-5;
   Eigen::MatrixXd result(chart.size(), chart.size());
   RodState state = chart.reference();
   Gradient gradient;
@@ -42,9 +41,9 @@ Eigen::MatrixXd hessian_of(const FrameChart& chart, Energy& energy) {
       energy.add_gradient(state, gradient);
       chart.pull_back(state, gradient.node, gradient.frame, by_x);
     };
-    gradient_at(difference, up);
-    gradient_at(-difference, down);
-    result.col(k) = (up - down) / (2 * difference);
+    gradient_at(moves[k], up);
+    gradient_at(-moves[k], down);
+    result.col(k) = (up - down) / (2 * moves[k]);
   }
   return result;
 }
@@ -52,7 +51,8 @@ Eigen::MatrixXd hessian_of(const FrameChart& chart, Energy& energy) {
 template <EnergyTerm Energy>
 void expect_exact_model(const RodState& state, Energy& energy, const HeldUnknowns& held) {
   const FrameChart chart(state, held);
-  const Eigen::MatrixXd hessian = hessian_of(chart, energy);
+  const Eigen::MatrixXd hessian =
+      hessian_of(chart, energy, Eigen::VectorXd::Constant(chart.size(), 1e-5));
   const double largest = hessian.cwiseAbs().maxCoeff();
   EXPECT_GT(largest, 1e-2);
   EXPECT_LT((model_of(chart, energy, 1) - hessian).cwiseAbs().maxCoeff(), 1e-7 * largest);
@@ -103,6 +103,38 @@ TEST(Hessian, OfBendAndTwistIsExactForAllEnds) {
   for (const RodEnds& ends : all_ends()) {
     JointEnergy energy(curved_params());
     expect_exact_model(bent_rod(curved_params(), ends), energy);
+  }
+}
+
+// Moves of places and angles that change the energy alike.
+Eigen::VectorXd small_moves(const FrameChart& chart, double length) {
+  Eigen::VectorXd moves(chart.size());
+  for (Index b = 0; b < chart.block_count(); ++b) {
+    for (int c = 0; c < 4; ++c) {
+      const Index u = chart.unknown(b, c);
+      if (u >= 0) moves[u] = 1e-5 * (c < 3 ? length : 1);
+    }
+  }
+  return moves;
+}
+
+TEST(Hessian, of_bend_and_twist_is_exact_for_edges_of_any_length) {
+  for (const double length : {1e-9, 1e9}) {
+    RodParams params = curved_params();
+    params.radius *= length;
+    params.edge_length *= length;
+    params.rest_darboux /= length;
+    JointEnergy energy(params);
+    const RodState state = random_rod(8, params, {.last_clamped = true}, 5);
+    const FrameChart chart(state, HeldUnknowns::none(state));
+    const Eigen::VectorXd moves = small_moves(chart, length);
+    const Eigen::MatrixXd hessian =
+        moves.asDiagonal() * hessian_of(chart, energy, moves) * moves.asDiagonal();
+    const Eigen::MatrixXd model =
+        moves.asDiagonal() * model_of(chart, energy, 1) * moves.asDiagonal();
+    const double largest = hessian.cwiseAbs().maxCoeff();
+    EXPECT_GT(largest, 1e-12 * stiffness(params).bend / length);
+    EXPECT_LT((model - hessian).cwiseAbs().maxCoeff(), 1e-7 * largest) << length;
   }
 }
 

@@ -42,6 +42,32 @@ TEST(Equilibrium, CantileverBendsByTheTextbookAmountAndTheResidualIsMet) {
   EXPECT_NEAR(c.rod.nodes(0, 0) / 20, 0.4984, 0.003);
 }
 
+TEST(Equilibrium, is_the_same_in_any_unit_of_length) {
+  const auto rest_in = [](double unit) {
+    RodParams params;
+    params.radius = params.edge_length = unit;
+    StretchEnergy stretch(params);
+    JointEnergy joints(params);
+    LoadEnergy load(params, Loads{{{0, Vec3(0.02 * unit * unit, 0, 0)}}, {}, Vec3::Zero()});
+    RodState rod = make_rod(unit * testing::straight_nodes(20, 20), params, {.last_clamped = true});
+    HeldUnknowns held = HeldUnknowns::none(rod);
+    held.hold_node(20);
+    held.angle.back() = true;
+    EquilibriumOptions options =
+        equilibrium_options(stiffness(params).bend, unit, 1e-7 * unit * unit);
+    options.exactness = 0.7;
+    const EquilibriumReport report =
+        solve_equilibrium(rod, held, EnergyTerms{stretch, joints, load}, options);
+    EXPECT_EQ(report.end, EquilibriumEnd::converged) << unit;
+    return std::pair(report.work.evaluations, report.energy / std::pow(unit, 3));
+  };
+  const auto [evaluations, energy] = rest_in(1);
+  for (const double unit : {0x1p-30, 0x1p-10, 0x1p30}) {
+    EXPECT_EQ(rest_in(unit), std::pair(evaluations, energy)) << unit;
+  }
+  EXPECT_NEAR(rest_in(1e-9).second / energy, 1, 1e-9);
+}
+
 TEST(Equilibrium, GuardSlowsTheWayDownButRestIsTheSame) {
   Cantilever free, guarded;
   guarded.options.guard = {0.5, 50, nullptr};

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "wirepack/solve/equilibrium.hpp"
+#include "wirepack/solve/preconditioner.hpp"
+
+namespace wirepack {
+
+// Lower triangle of the curvature model at the chart's reference, with the shift of the options on its
+// diagonal. `exactness`: see CurvatureModel.
+Eigen::SparseMatrix<double> shifted_hessian(const FrameChart& chart, const EnergyTerms& energy,
+                                            const EquilibriumOptions& options, double exactness);
+
+// Its factor; nothing where a pivot is not positive. `positive`: known to be positive definite.
+std::optional<Preconditioner> factored_hessian(const Eigen::SparseMatrix<double>& lower,
+                                               const EquilibriumOptions& options, bool positive,
+                                               SolverWork& work);
+
+}  // namespace wirepack
