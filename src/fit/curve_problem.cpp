@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ceres/ceres.h>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace wirepack {
@@ -27,6 +28,7 @@ class Residuals : public ceres::EvaluationCallback {
   Eigen::VectorXd& unknowns() { return unknowns_; }
   Index rows() const { return rows_; }
   double value(Index point, Index row) const { return values_(row, point); }
+  const Points& values() const { return values_; }
   const RowMajor& jacobian() const { return jacobian_; }
   const DarbouxCurve& curve() const { return curve_; }
   const Eigen::VectorXd& feet() const { return feet_; }
@@ -71,6 +73,8 @@ class PointCost : public ceres::CostFunction {
   }
   bool Evaluate(double const* const*, double* values, double** jacobians) const override {
     const Index rows = residuals_.rows(), size = residuals_.curve().size();
+    // a step that overflows is no step: Ceres takes a shorter one
+    if (!residuals_.values().col(point_).allFinite()) return false;
     for (Index r = 0; r < rows; ++r) values[r] = residuals_.value(point_, r);
     if (jacobians != nullptr && jacobians[0] != nullptr) {
       Eigen::Map<RowMajor>(jacobians[0], rows, size) =
@@ -140,17 +144,23 @@ CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, d
   ceres::Solve(options, &problem, &summary);
 
   residuals.PrepareForEvaluation(true, true);
-  CurveSolution solution{residuals.curve(), residuals.feet(), {}, {}, {}, {}, {}, {}, {}};
+  CurveSolution solution{residuals.curve(), residuals.feet(), {}, {}, {}, {}, {}, {}, {}, {}};
   solution.rows = residuals.rows();
   solution.huber = huber;
   solution.cost = summary.final_cost;
   solution.jacobian = residuals.jacobian();
   solution.weighted_distance = residuals.weighted_distances();
   solution.distance.resize(points.count());
+  solution.residual.resize(3, points.count());
   for (Index i = 0; i < points.count(); ++i) {
     solution.distance[i] = solution.weighted_distance[i] / residuals.weight(i);
+    Vec3 value = residuals.values().col(i);
+    if (solution.rows == 2) value.z() = 0;
+    solution.residual.col(i) = residuals.curve().at(residuals.feet()[i]).directors * value;
   }
-  solution.converged = at_rest(residuals, residuals.jacobian(), huber);
+  const bool finite = solution.jacobian.allFinite() && solution.weighted_distance.allFinite();
+  if (!finite) solution.cost = std::numeric_limits<double>::infinity();
+  solution.converged = finite && at_rest(residuals, residuals.jacobian(), huber);
   return solution;
 }
 
