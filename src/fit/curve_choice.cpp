@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "block_means.hpp"
 #include "fit_uncertainty.hpp"
 #include "helix_starts.hpp"
+#include "misfit.hpp"
 #include "spline_start.hpp"
 
 namespace wirepack {
@@ -77,25 +79,35 @@ void keep_arcs(const MeasuredPoints& points, FitStart& start) {
   start.basis.last = points.arc.maxCoeff();
 }
 
-// The number of intervals by Schwarz's criterion, on means of successive points.
-Index chosen_intervals(const MeasuredPoints& points) {
+// The line and the number of intervals by Schwarz's criterion, on means of successive points.
+struct SplineChoice {
+  SplineLine line = SplineLine::smoothed;
+  Index intervals = 1;
+};
+
+SplineChoice chosen_spline(const MeasuredPoints& points, const std::optional<Index>& intervals) {
+  constexpr Index most_intervals = 96;
   const MeasuredPoints means = block_means(points).points;
-  const SplineStart start(means);
   const Index residuals = (points.arc.size() > 0 ? 3 : 2) * means.count();
-  Index best = 1;
+  SplineChoice best;
   double least = std::numeric_limits<double>::infinity();
-  int worse = 0;
-  for (const Index intervals : interval_ladder(std::min(means.count() / 4, start.intervals()))) {
-    FitStart trial = start.with_intervals(intervals);
-    keep_arcs(means, trial);
-    const CurveSolution solution = solve_curve(means, trial, 0, 30);
-    const double criterion = schwarz_criterion(2 * solution.cost, residuals, trial.basis.size());
-    if (criterion < least) {
-      least = criterion;
-      best = intervals;
-      worse = 0;
-    } else if (++worse == 3) {
-      break;
+  for (const SplineLine line : {SplineLine::smoothed, SplineLine::through_points}) {
+    const SplineStart start(means, line);
+    const Index most = std::min({means.count() / 4, start.intervals(), most_intervals});
+    int worse = 0;
+    for (const Index trial_intervals :
+         intervals ? std::vector<Index>{*intervals} : interval_ladder(most)) {
+      FitStart trial = start.with_intervals(trial_intervals);
+      keep_arcs(means, trial);
+      const CurveSolution solution = solve_curve(means, trial, 0, 30);
+      const double criterion = schwarz_criterion(2 * solution.cost, residuals, trial.basis.size());
+      if (criterion < least) {
+        least = criterion;
+        best = {line, trial_intervals};
+        worse = 0;
+      } else if (++worse >= 3 && neighbour_correlation(solution) < 0.2) {
+        break;  // what is left is scatter
+      }
     }
   }
   return best;
@@ -114,8 +126,8 @@ std::vector<FitStart> starts_of(const MeasuredPoints& points, const FitOptions& 
                                 bool order_may_be_wrong) {
   if (options.model == ShapeModel::circle) return {circle_start(points)};
   if (options.model == ShapeModel::spline) {
-    return {SplineStart(points).with_intervals(options.intervals ? *options.intervals
-                                                                 : chosen_intervals(points))};
+    const SplineChoice choice = chosen_spline(points, options.intervals);
+    return {SplineStart(points, choice.line).with_intervals(choice.intervals)};
   }
   std::vector<FitStart> starts = helix_starts(points);
   if (points.ordered && order_may_be_wrong) {

@@ -12,7 +12,31 @@ namespace wirepack {
 
 namespace {
 
-// Of the residuals of neighbours along the curve.
+constexpr double clear = 4;  // standard deviations
+
+// Root mean square of the residuals along the binormal of the curve (the axis of a circle, and nearly
+// that of a flat coil) over that along its normal.
+double binormal_share(const CurveSolution& solution) {
+  double along = 0, across = 0;
+  for (Index i = 0; i < solution.residual.cols(); ++i) {
+    const double s = solution.feet[i];
+    const Vec3 k = solution.curve.darboux(s);
+    const Mat3 directors = solution.curve.at(s).directors;
+    const Vec3 binormal = directors.leftCols<2>() * k.head<2>().normalized();
+    const Vec3 normal = directors.col(2).cross(binormal);
+    along += std::pow(binormal.dot(solution.residual.col(i)), 2);
+    across += std::pow(normal.dot(solution.residual.col(i)), 2);
+  }
+  return std::sqrt(along / std::max(across, 1e-300));
+}
+
+// Beyond what scatter alike in both directions leads to.
+bool scatters_along_binormal(const CurveSolution& solution) {
+  return binormal_share(solution) > 1 + 2 * clear / std::sqrt(double(solution.feet.size()));
+}
+
+}  // namespace
+
 double neighbour_correlation(const CurveSolution& solution) {
   std::vector<Index> order(static_cast<std::size_t>(solution.feet.size()));
   std::iota(order.begin(), order.end(), Index{0});
@@ -26,25 +50,9 @@ double neighbour_correlation(const CurveSolution& solution) {
   return squares > 0 ? product / squares : 0;
 }
 
-// Root mean square of the residuals along the axis of a circle over that in its plane.
-double axial_share(const CurveSolution& solution) {
-  const Vec3 k = solution.curve.darboux(0);
-  double axial = 0, radial = 0;
-  for (Index i = 0; i < solution.residual.cols(); ++i) {
-    const Mat3 directors = solution.curve.at(solution.feet[i]).directors;
-    const double along = (directors * k).normalized().dot(solution.residual.col(i));
-    axial += along * along;
-    radial += solution.residual.col(i).squaredNorm() - along * along;
-  }
-  return std::sqrt(axial / std::max(radial, 1e-300));
-}
-
-}  // namespace
-
 std::string misfit_of(ShapeModel model, const MeasuredPoints& points, const CurveSolution& solution,
                       const Uncertainty& uncertainty) {
   constexpr double round_off = 1e-9;  // of the extent of the points
-  constexpr double clear = 4;         // standard deviations
   const auto n = static_cast<double>(points.count());
   const double rms = std::sqrt(solution.distance.squaredNorm() / n);
   if (!(rms > std::max(points.resolution, round_off))) return {};
@@ -56,43 +64,41 @@ std::string misfit_of(ShapeModel model, const MeasuredPoints& points, const Curv
     }
   }
   const double correlation = neighbour_correlation(solution);
-  if (correlation * std::sqrt(n) > clear && correlation > 0.3) {
+  if (correlation * std::sqrt(n) > 3 && correlation > 0.3) {
     return fmt::format(
         "neighbouring points lie off to the same side (their residuals have a correlation of "
         "{:.2f})",
         correlation);
   }
   if (model == ShapeModel::circle && solution.rows == 2 && !uncertainty.planar) {
-    const double share = axial_share(solution);
-    if (share > 1 + 2 * clear / std::sqrt(n)) {
+    if (scatters_along_binormal(solution)) {
       return fmt::format(
           "the points leave the plane of the circle by {:.3g} times what they are off it in the "
           "plane",
-          share);
+          binormal_share(solution));
     }
   }
   return {};
 }
 
-void check_turns(const CurveSolution& solution) {
+bool tells_turns(const CurveSolution& solution) {
   const Vec3 k = solution.curve.darboux(0);
   const double curvature = k.head<2>().norm(), rate = k.norm();
-  const double length = solution.feet.maxCoeff() - solution.feet.minCoeff();
-  if (!(rate * length > 3 * pi)) return;
   double squares = 0;
   for (Index i = 0; i < solution.residual.cols(); ++i) {
     const Mat3 directors = solution.curve.at(solution.feet[i]).directors;
     const Vec3 binormal = directors.leftCols<2>() * k.head<2>() / curvature;
-    const double along = binormal.dot(solution.residual.col(i));
-    squares += along * along;
+    squares += std::pow(binormal.dot(solution.residual.col(i)), 2);
   }
   const double scatter = std::sqrt(squares / static_cast<double>(solution.residual.cols()));
   const double apart = 2 * pi * std::abs(k.z()) * curvature / (rate * rate * rate);
   // Points anywhere would scatter by 0.29 of the distance of the turns.
-  if (scatter < 0.18 * apart) return;
-  throw InvalidInput(
-      "the points cannot tell the turns of a helix apart: they come in no order, and scatter by as "
-      "much as turns are apart; give them in order, with --ordered, or with their arc lengths");
+  return scatter < 0.18 * apart;
+}
+
+bool may_join_turns(const CurveSolution& solution, const Uncertainty& uncertainty) {
+  const double rms = solution.distance.norm() / std::sqrt(double(solution.distance.size()));
+  return !uncertainty.planar && rms > 5e-4 && scatters_along_binormal(solution);
 }
 
 }  // namespace wirepack

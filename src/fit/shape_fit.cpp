@@ -103,11 +103,6 @@ Listed listed(const MeasuredPoints& points, std::vector<Index> which, ShapeModel
   if (model == ShapeModel::circle) return {which, false, true};
   const std::vector<Index> order = order_along_wire(position);
   if (!order.empty()) return {through(which, order), true, true};
-  if (model == ShapeModel::spline) {
-    throw InvalidInput(
-        "the points do not line up along one wire: a spline needs them in order, with --ordered, "
-        "or with their arc lengths");
-  }
   return {which, false, true};
 }
 
@@ -118,15 +113,60 @@ struct Fitted {
   CurveSolution solution;
 };
 
-Fitted fitted(const MeasuredPoints& given, const std::vector<Index>& kept,
-              const FitOptions& options) {
-  Listed list = listed(given, kept, options.model);
+Fitted fitted(const MeasuredPoints& given, Listed list, const FitOptions& options) {
   MeasuredPoints points = chosen(given, list.which);
   points.ordered = list.ordered;
   Scaled scale = scaled(points);
   CurveSolution solution = nearest_curve(scale.points, options, list.order_may_be_wrong);
-  if (options.model == ShapeModel::helix && list.order_may_be_wrong) check_turns(solution);
   return {std::move(list), std::move(scale), std::move(solution)};
+}
+
+double turns_of(const CurveSolution& solution) {
+  return solution.curve.darboux(0).norm() * (solution.feet.maxCoeff() - solution.feet.minCoeff()) /
+         (2 * pi);
+}
+
+// The order along a coil that the points as a set are near; empty when they are near none.
+std::vector<Index> order_along_coil(const MeasuredPoints& given, const Listed& list) {
+  const Fitted coil = fitted(given, list, {ShapeModel::helix, false, {}});
+  const CurveSolution& solution = coil.solution;
+  if (!solution.converged || turns_of(solution) < 1 || !tells_turns(solution)) return {};
+  const Uncertainty uncertainty = uncertainty_of(coil.scale.points, solution);
+  const bool fits = misfit_of(ShapeModel::helix, coil.scale.points, solution, uncertainty).empty();
+  if (!fits) return {};
+  std::vector<Index> order(list.which.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return solution.feet[a] < solution.feet[b]; });
+  return through(coil.listed.which, order);
+}
+
+constexpr const char* no_order =
+    "they come in no order that tells turns apart; give them in order, with --ordered, or with "
+    "their arc lengths";
+
+Fitted fitted(const MeasuredPoints& given, const std::vector<Index>& kept,
+              const FitOptions& options) {
+  Listed list = listed(given, kept, options.model);
+  if (options.model == ShapeModel::spline && list.order_may_be_wrong) {
+    if (std::vector<Index> order = order_along_coil(given, list); !order.empty()) {
+      list = {std::move(order), true, false};
+    } else if (!list.ordered) {
+      throw InvalidInput(
+          "the points do not line up along one wire: a spline needs them in order, with --ordered, "
+          "or with their arc lengths");
+    }
+  }
+  Fitted fit = fitted(given, std::move(list), options);
+  if (!fit.listed.order_may_be_wrong || options.model == ShapeModel::circle) return fit;
+  const CurveSolution& solution = fit.solution;
+  const bool told = options.model == ShapeModel::helix
+                        ? turns_of(solution) < 1.5 || tells_turns(solution)
+                        : !may_join_turns(solution, uncertainty_of(fit.scale.points, solution));
+  if (!told || !solution.converged) {
+    throw InvalidInput(std::string("the points cannot tell the shape: ") + no_order);
+  }
+  return fit;
 }
 
 // Arc of the place on the curve that is nearest to a point, which may be anywhere.
@@ -149,8 +189,9 @@ bool closes(const CurveSolution& solution, double first, double last, double gap
   const DarbouxCurve::Pose start = solution.curve.at(first), end = solution.curve.at(last);
   const double step = (last - first) / static_cast<double>(solution.feet.size() - 1);
   const Vec3 way = start.position - end.position;
-  const bool smooth = start.directors.col(2).dot(end.directors.col(2)) > 0.5 &&
-                      way.dot(end.directors.col(2)) >= -0.5 * way.norm();
+  const Vec3 tangent = end.directors.col(2);
+  const bool straight_on = way.dot(tangent) > 0.7 * way.norm() || way.norm() < 0.1 * step;
+  const bool smooth = start.directors.col(2).dot(tangent) > 0.5 && straight_on;
   return last - first > 6 * gap && gap < 3 * step && smooth;
 }
 
