@@ -1,10 +1,12 @@
 #include "curve_problem.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <ceres/ceres.h>
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace wirepack {
 
@@ -26,6 +28,7 @@ class Residuals : public ceres::EvaluationCallback {
   }
 
   Eigen::VectorXd& unknowns() { return unknowns_; }
+  double squares() const { return values_.topRows(rows_).squaredNorm(); }
   Index rows() const { return rows_; }
   double value(Index point, Index row) const { return values_(row, point); }
   const Points& values() const { return values_; }
@@ -111,6 +114,33 @@ bool at_rest(const Residuals& residuals, const RowMajor& jacobian, double huber)
   return true;
 }
 
+// Steps of Gauss and Newton to where round-off ends them, so that the shape does not depend on when
+// a minimizer stops. A step that does not lead down is taken back.
+void polish(Residuals& residuals) {
+  std::vector<Index> free;
+  for (Index k = 0; k < residuals.unknowns().size(); ++k) {
+    if (k != DarbouxCurve::shift_along || residuals.rows() == 3) free.push_back(k);
+  }
+  const Index rows = residuals.rows();
+  for (int round = 0; round < 12; ++round) {
+    const Eigen::VectorXd before = residuals.unknowns();
+    const double squares = residuals.squares();
+    const Eigen::MatrixXd jacobian = residuals.jacobian()(Eigen::all, free);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
+    qr.setThreshold(1e-9);
+    const Points values = residuals.values();
+    const Eigen::VectorXd step = qr.solve(values.topRows(rows).reshaped());
+    residuals.unknowns()(free) -= step;
+    residuals.PrepareForEvaluation(true, true);
+    if (!(residuals.squares() <= squares * (1 + 1e-14))) {
+      residuals.unknowns() = before;
+      residuals.PrepareForEvaluation(true, true);
+      return;
+    }
+    if (step.norm() <= 1e-15 * before.norm()) return;
+  }
+}
+
 }  // namespace
 
 CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, double huber,
@@ -144,10 +174,12 @@ CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, d
   ceres::Solve(options, &problem, &summary);
 
   residuals.PrepareForEvaluation(true, true);
+  const bool to_the_end = summary.termination_type == ceres::CONVERGENCE;
+  if (to_the_end && huber == 0) polish(residuals);
   CurveSolution solution{residuals.curve(), residuals.feet(), {}, {}, {}, {}, {}, {}, {}, {}};
   solution.rows = residuals.rows();
   solution.huber = huber;
-  solution.cost = summary.final_cost;
+  solution.cost = huber > 0 ? summary.final_cost : residuals.squares() / 2;
   solution.jacobian = residuals.jacobian();
   solution.weighted_distance = residuals.weighted_distances();
   solution.distance.resize(points.count());

@@ -71,7 +71,8 @@ Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& so
   const Eigen::MatrixXd directions = qr.colsPermutation() * svd.matrixV();
   const Eigen::VectorXd& values = svd.singularValues();
   result.unknowns = jacobian.cols() - (plane ? unknowns_out_of_plane(solution.curve.basis()) : 0);
-  result.rank = (values.array() > 1e-9 * values[0]).count();
+  // what leads out of a plane that points are rounded to is hardly above nothing
+  result.rank = std::min<Index>((values.array() > 1e-9 * values[0]).count(), result.unknowns);
   result.degrees_of_freedom = jacobian.rows() - result.rank;
   // Huber's proposal: variance of the bounded residuals over the square of their mean derivative,
   // which are the sum of squares and 1 without a bound.
