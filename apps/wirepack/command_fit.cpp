@@ -156,8 +156,8 @@ void say_what_is_off(const ShapeFit& fit, const MeasuredPoints& points) {
                   lines));
   if (!fit.left_out.empty()) {
     say(fmt::format(
-        "{} of them, far from all others, {} left out of the fit: {}", fit.left_out.size(),
-        fit.left_out.size() == 1 ? "is" : "are",
+        "{} of them, far from all others or from the neighbours in the list, {} left out: {}",
+        fit.left_out.size(), fit.left_out.size() == 1 ? "is" : "are",
         place(points, fit.left_out.front()) + (fit.left_out.size() > 1 ? ", ..." : "")));
   }
 }

@@ -92,8 +92,9 @@ bool tells_turns(const CurveSolution& solution) {
   }
   const double scatter = std::sqrt(squares / static_cast<double>(solution.residual.cols()));
   const double apart = 2 * pi * std::abs(k.z()) * curvature / (rate * rate * rate);
-  // Points anywhere would scatter by 0.29 of the distance of the turns.
-  return scatter < 0.18 * apart;
+  // Points anywhere would scatter by 0.29 of the distance of the turns, few of them also by less.
+  const double few = 3 / std::sqrt(static_cast<double>(solution.residual.cols()));
+  return scatter < 0.18 * (1 - few) * apart;
 }
 
 bool may_join_turns(const CurveSolution& solution, const Uncertainty& uncertainty) {

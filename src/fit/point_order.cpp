@@ -77,8 +77,8 @@ struct Course {
 
   Index sharp() const { return (cosine.array() < sharp_turn).count(); }
   bool jumps(Index i) const { return step[i] > long_step * median; }
-  bool jumps() const { return step.maxCoeff() > long_step * median; }
-  bool hardly_turns() const { return 20 * sharp() <= step.size(); }
+  bool jumps() const { return step.size() > 0 && step.maxCoeff() > long_step * median; }
+  bool hardly_turns() const { return 20 * sharp() <= step.size() + 10; }
   // A gap that the wire crosses straight on is one where points are missing.
   bool jumps_sharply() const {
     for (Index i = 0; i < step.size(); ++i) {
@@ -91,6 +91,7 @@ struct Course {
 };
 
 double median_of(std::vector<double> values) {
+  if (values.empty()) return 0;
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -209,20 +210,43 @@ std::vector<Index> joined(const Points& points, std::vector<Piece> left) {
 }  // namespace
 
 std::vector<Index> order_of_list(const Points& points) {
-  std::vector<Index> order(static_cast<std::size_t>(points.cols()));
-  std::iota(order.begin(), order.end(), Index{0});
-  MeasuredPoints list;
-  list.position = points;
+  std::vector<Index> list(static_cast<std::size_t>(points.cols()));
+  std::iota(list.begin(), list.end(), Index{0});
+  const Course course = course_of(points);
+  if (course.jumps()) {
+    // parts that are joined without a jump, and without a turn that the list does not have
+    const std::vector<Piece> pieces = pieces_of(points);
+    if (20 * std::ssize(pieces) <= points.cols()) {
+      std::vector<Index> order = joined(points, pieces);
+      const Course of_joined = course_of(points(Eigen::all, order));
+      const bool smooth = of_joined.hardly_turns() && of_joined.sharp() <= course.sharp();
+      if (!of_joined.jumps() && smooth) return order;
+    }
+  }
+  MeasuredPoints all;
+  all.position = points;
   constexpr Index fewest = 8;
   for (Index count = points.cols(); count >= fewest || count == points.cols(); count /= 2) {
-    const Course course = course_of(block_means(list, count).points.position);
-    if (course.hardly_turns() && !course.jumps_sharply()) return order;
+    const Course of_means = course_of(block_means(all, count).points.position);
+    if (of_means.hardly_turns() && !of_means.jumps_sharply()) return list;
   }
-  const std::vector<Piece> pieces = pieces_of(points);
-  if (20 * std::ssize(pieces) > points.cols()) return {};
-  order = joined(points, pieces);
-  if (is_a_wire(points(Eigen::all, order))) return order;
   return {};
+}
+
+std::vector<Index> spikes_of_list(const Points& points) {
+  std::vector<Index> spikes, rest;
+  for (const Piece& piece : pieces_of(points)) {
+    if (piece.first == piece.last) {
+      spikes.push_back(piece.first);
+    } else {
+      for (Index i = piece.first; i <= piece.last; ++i) rest.push_back(i);
+    }
+  }
+  const Index most = std::max<Index>(1, points.cols() / 20);
+  if (std::ssize(spikes) > most || rest.size() < 4) return {};
+  const std::vector<Index> order = order_of_list(points(Eigen::all, rest));
+  return std::is_sorted(order.begin(), order.end()) && !order.empty() ? spikes
+                                                                      : std::vector<Index>{};
 }
 
 std::vector<Index> order_along_wire(const Points& points) {

@@ -12,6 +12,9 @@ namespace wirepack {
 /// when the list is in no order.
 std::vector<Index> order_of_list(const Points& points);
 
+/// Single points to which a list jumps and from which it jumps back, if it is in order without them.
+std::vector<Index> spikes_of_list(const Points& points);
+
 /// The order of points along a wire, from one of its ends: a chain of nearest neighbours through the
 /// means of small groups, large enough that scatter across the wire does not turn the chain back.
 /// Empty when there is no such chain.

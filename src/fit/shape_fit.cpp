@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
+#include <iterator>
+#include <limits>
 #include <numeric>
+#include <string>
+#include <utility>
 
 #include "wirepack/core/error.hpp"
 
@@ -295,6 +298,14 @@ ShapeFit result_of(const Fitted& fitted, const MeasuredPoints& given, const std:
   return fit;
 }
 
+// Points far from all others, or from their neighbours in the list.
+std::vector<Index> errors_of_measurement(const Points& points) {
+  std::vector<Index> found;
+  const std::vector<Index> far = far_points(points), spikes = spikes_of_list(points);
+  std::set_union(far.begin(), far.end(), spikes.begin(), spikes.end(), std::back_inserter(found));
+  return found;
+}
+
 bool lies_on(const Fitted& fitted, const Vec3& given) {
   const CurveSolution& solution = fitted.solution;
   const Vec3 point = in_scale(fitted.scale, given);
@@ -309,7 +320,7 @@ bool lies_on(const Fitted& fitted, const Vec3& given) {
 }  // namespace
 
 ShapeFit fit_shape(const MeasuredPoints& given, const FitOptions& options) {
-  std::vector<Index> far = far_points(given.position);
+  std::vector<Index> far = errors_of_measurement(given.position);
   if (given.count() - std::ssize(far) < fewest_points(options.model)) far.clear();
   const auto kept_of = [&] {
     std::vector<Index> kept;

@@ -95,6 +95,7 @@ ShapeNumbers shape_numbers(ShapeModel model, const CurveSolution& solution,
           uncertainty.covariance.block<2, 2>(DarbouxCurve::pose_size, DarbouxCurve::pose_size);
       number.standard_error = std::sqrt(block.trace() / (uncertainty.planar ? 1 : 2)) * units[k];
       if (values[i] < straight) number.value = 0;
+      number.determined = true;
     }
     number.fixed = number.fixed && number.determined;
     if (!number.determined) number.value = number.standard_error = 0;

@@ -44,9 +44,9 @@ struct ShapeFit {
   Eigen::VectorXd arc;               ///< N, of the foot of each point, from the first one
   Eigen::VectorXd distance;          ///< N, from the curve [length]
   std::vector<Index> outliers;       ///< less than one of them is expected in 20 such fits
-  std::vector<Index> left_out;  ///< those of the outliers that stand alone, far from all others
-  std::string misfit;           ///< how the points show that the model is not theirs, or empty
-  bool planar = false;          ///< the points scatter in a plane only, and so do the errors
+  std::vector<Index> left_out;       ///< outliers far from all others, or their neighbours
+  std::string misfit;                ///< how the points show that the model is not theirs, or empty
+  bool planar = false;               ///< the points scatter in a plane only, and so do the errors
   bool converged = false;
   bool closed = false;  ///< the points go all around; in no given order, so does the length
   Points curve;         ///< the fitted curve, closely spaced, for drawing
