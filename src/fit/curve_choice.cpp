@@ -9,6 +9,7 @@
 #include "fit_uncertainty.hpp"
 #include "helix_starts.hpp"
 #include "misfit.hpp"
+#include "point_sample.hpp"
 #include "spline_start.hpp"
 
 namespace wirepack {
@@ -16,14 +17,6 @@ namespace wirepack {
 namespace {
 
 constexpr Index most_trial_points = 200;  // on which starts compete
-
-// So many of the points at most, equally spaced in their list.
-std::vector<Index> sample(Index count, Index most) {
-  std::vector<Index> which;
-  const Index used = std::min(count, most);
-  for (Index i = 0; i < used; ++i) which.push_back(i * count / used);
-  return which;
-}
 
 struct Trial {
   const FitStart* start;
@@ -52,7 +45,7 @@ const FitStart& best_of(const std::vector<Trial>& trials, Index points) {
 // All starts compete on a sample of the points, first for a few steps, then the better ones.
 CurveSolution best_of(const MeasuredPoints& points, const std::vector<FitStart>& starts) {
   if (starts.size() == 1) return solve_curve(points, starts.front());
-  const std::vector<Index> which = sample(points.count(), most_trial_points);
+  const std::vector<Index> which = point_sample(points.count(), most_trial_points);
   const MeasuredPoints few = chosen(points, which);
   std::vector<Trial> trials;
   for (const FitStart& start : starts) trials.push_back({&start, 0, 0});

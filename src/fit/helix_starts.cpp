@@ -5,9 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "wirepack/core/random.hpp"
-
 #include "block_means.hpp"
+#include "point_sample.hpp"
 
 namespace wirepack {
 
@@ -197,23 +196,12 @@ std::vector<Vec3> cylinder_axes(const Points& points, const Mat3& principal) {
 
 constexpr Index enough_points = 600;
 
-// Drawn from a list of points. Equal strides through the list of a coil could all be in one line.
-std::vector<Index> enough_of(Index count) {
-  Random random(1);
-  std::vector<Index> which;
-  for (Index k = 0; k < std::min(count, enough_points); ++k) {
-    const auto any = static_cast<Index>(random.next() % static_cast<std::uint64_t>(count));
-    which.push_back(count <= enough_points ? k : any);
-  }
-  return which;
-}
-
 // Turns per height that most of the points agree on, for points in any order: the maximum of
 // |sum exp(i (angle - w height))|. Points at equal steps of height agree on others as well, of which
 // the least turns are the wire's.
 double best_winding(const Cylinder& cylinder) {
   const Index n = cylinder.angle.size();
-  const std::vector<Index> which = enough_of(n);
+  const std::vector<Index> which = point_sample(n, enough_points);
   const double range = cylinder.height.maxCoeff() - cylinder.height.minCoeff();
   const double step = 2 * pi / (8 * range);
   const Index most = 2 * std::min<Index>(n, 4000);  // a quarter turn per point
@@ -327,7 +315,7 @@ std::vector<FitStart> helix_starts(const MeasuredPoints& points) {
   };
   const Mat3 axes = principal_axes(points.position);
   for (int a = 0; a < 3; ++a) try_axis(axes.col(a));
-  const Points some = points.position(Eigen::all, enough_of(points.count()));
+  const Points some = points.position(Eigen::all, point_sample(points.count(), enough_points));
   for (const Vec3& axis : cylinder_axes(some, axes)) try_axis(axis);
   if (points.ordered) {
     for (Index lag = 1; 3 * lag < blocks.points.count(); lag *= 2) {

@@ -85,6 +85,14 @@ TEST(FitOfCoils, has_the_right_hand_and_length_for_any_pitch_and_order_or_cannot
   EXPECT_LT(refused, std::ssize(all) / 10);
 }
 
+TEST(FitOfCoils, of_hundreds_of_turns_has_the_right_hand_and_length) {
+  for (const Listing listing : {Listing::forward, Listing::shuffled}) {
+    const Coil coil{0.1, 151.3, -1, 0, 40, listing};
+    const ShapeFit fit = fitted(coil.points(5), ShapeModel::helix);
+    EXPECT_NEAR(fit.numbers[pitch].value, -0.1, 1e-9);
+  }
+}
+
 TEST(FitOfCoils, of_a_spline_has_the_right_length_in_any_order_or_cannot_tell) {
   Index refused = 0;
   for (const double distance : {0.02, 0.1, 0.4}) {
