@@ -122,7 +122,8 @@ void polish(Residuals& residuals) {
     if (k != DarbouxCurve::shift_along || residuals.rows() == 3) free.push_back(k);
   }
   const Index rows = residuals.rows();
-  for (int round = 0; round < 12; ++round) {
+  double last = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 40; ++round) {
     const Eigen::VectorXd before = residuals.unknowns();
     const double squares = residuals.squares();
     const Eigen::MatrixXd jacobian = residuals.jacobian()(Eigen::all, free);
@@ -132,12 +133,14 @@ void polish(Residuals& residuals) {
     const Eigen::VectorXd step = qr.solve(values.topRows(rows).reshaped());
     residuals.unknowns()(free) -= step;
     residuals.PrepareForEvaluation(true, true);
-    if (!(residuals.squares() <= squares * (1 + 1e-14))) {
+    if (!(residuals.squares() <= squares * (1 + 1e-11))) {
       residuals.unknowns() = before;
       residuals.PrepareForEvaluation(true, true);
       return;
     }
-    if (step.norm() <= 1e-15 * before.norm()) return;
+    const double size = step.norm() / before.norm();
+    if (size <= 1e-15 || (size < 1e-11 && size > 0.7 * last)) return;
+    last = size;
   }
 }
 
