@@ -10,6 +10,7 @@
 #include "wirepack/io/comparison_page.hpp"
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/io/output_path.hpp"
 
 #include "command.hpp"
 #include "run_loop.hpp"
@@ -24,18 +25,23 @@ struct Options {
   std::vector<std::string> assignments;
   double density = 0.2;
   int seeds = 1;
+  bool force = false;
 };
 
 void say(const std::string& message) {
   std::fputs(("wirepack compare: " + message + "\n").c_str(), stderr);
 }
 
-Scenario scenario_of(const Options& options) {
+std::vector<ConfigOverride> overrides_of(const Options& options) {
   std::vector<ConfigOverride> overrides;
   for (const std::string& assignment : options.assignments) {
     overrides.push_back({assignment, "--set " + assignment});
   }
-  Scenario scenario = read_config(options.config, overrides);
+  return overrides;
+}
+
+Scenario scenario_of(const Options& options) {
+  Scenario scenario = read_config(options.config, overrides_of(options));
   scenario.stop = {};
   scenario.stop.density = options.density;
   std::string text;
@@ -82,9 +88,19 @@ ComparedRun read_run(Way way, const std::filesystem::path& file) {
   return run;
 }
 
+std::string run_file(const Options& options, const Scenario& seeded, std::string_view name) {
+  return options.seeds == 1 ? fmt::format("{}.h5", name)
+                            : fmt::format("{}_seed{}.h5", name, seeded.seed);
+}
+
 int compare_ways(const Options& options) {
   const Scenario scenario = scenario_of(options);
   const std::filesystem::path folder = options.folder;
+  const std::vector<std::filesystem::path> inputs =
+      config_inputs(options.config, overrides_of(options));
+  // beside runs that are gone on with, page and figures are those of an earlier call
+  const bool begun = std::filesystem::exists(folder / run_file(options, scenario, ways[0].second));
+  output_folder(folder, comparison_files(), {inputs, options.force || begun});
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
@@ -94,9 +110,9 @@ int compare_ways(const Options& options) {
     Scenario seeded = scenario;
     seeded.seed += static_cast<std::uint64_t>(k);
     for (const auto& [way, name] : ways) {
+      // a run that is there is gone on with
       const std::filesystem::path file =
-          folder / (options.seeds == 1 ? fmt::format("{}.h5", name)
-                                       : fmt::format("{}_seed{}.h5", name, seeded.seed));
+          output_file(folder / run_file(options, seeded, name), {.inputs = inputs, .force = true});
       say(fmt::format("{}, seed {}", name, seeded.seed));
       if (!run(scenario_of(way, seeded), file, options)) {
         say("stopped by a signal; the same command goes on from there");
@@ -135,6 +151,8 @@ Command compare_command(CLI::App& program, const std::string& command_line) {
   app->add_option("--seeds", options->seeds, "Runs of each way, with successive seeds")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app->add_flag("--force", options->force,
+                "Replaces a page, figures and JSON that are there without their runs");
   app->add_option("--set", options->assignments, "Sets a key, as section.key=value")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);

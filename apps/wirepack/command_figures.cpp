@@ -6,6 +6,7 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/figure.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/io/output_path.hpp"
 
 #include "command.hpp"
 
@@ -16,9 +17,13 @@ namespace {
 struct Options {
   std::vector<std::string> results;
   std::string folder;
+  bool force = false;
 };
 
 int draw(const Options& options) {
+  const std::vector<std::string> names{"packing", "force", "energy"};
+  output_folder(options.folder, figure_files(names),
+                {{options.results.begin(), options.results.end()}, options.force});
   std::vector<FigureRun> runs;
   PackingFrame last;
   for (const std::string& result : options.results) {
@@ -35,9 +40,7 @@ int draw(const Options& options) {
   draw_packing(folder, runs.front().scenario, last);
   draw_force(folder, runs);
   draw_energy(folder, runs);
-  for (const char* name : {"packing", "force", "energy"}) {
-    fmt::print("{}\n", (folder / (std::string(name) + ".png")).string());
-  }
+  for (const std::string& name : names) fmt::print("{}\n", (folder / (name + ".png")).string());
   return exit_done;
 }
 
@@ -51,6 +54,7 @@ Command figures_command(CLI::App& program) {
   app->add_option("-o,--output", options->folder,
                   "Folder for PNG, PDF, SVG and the data behind them")
       ->required();
+  app->add_flag("--force", options->force, "Replaces figures that are there");
   app->footer("Example: wirepack figures quickstart.h5 -o figures");
   return {app, [options] { return draw(*options); }};
 }

@@ -9,6 +9,7 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/fit/shape_fit.hpp"
 #include "wirepack/io/figure.hpp"
+#include "wirepack/io/output_path.hpp"
 #include "wirepack/io/points_file.hpp"
 #include "wirepack/io/shape_file.hpp"
 
@@ -23,7 +24,8 @@ const std::map<std::string, ShapeModel> models{
 
 struct Options {
   std::string points, model, output, figures, command_line;
-  bool ordered = false, robust = false, json = false;
+  std::vector<std::string> columns;
+  bool ordered = false, robust = false, json = false, force = false;
   Index intervals = 0;
 };
 
@@ -39,7 +41,8 @@ std::string number_line(const ShapeNumber& number) {
 }
 
 std::string place(const MeasuredPoints& points, Index i) {
-  return fmt::format("line {}", points.line[static_cast<std::size_t>(i)]);
+  return points.line.empty() ? fmt::format("point {}", i + 1)
+                             : fmt::format("line {}", points.line[static_cast<std::size_t>(i)]);
 }
 
 std::string table(const ShapeFit& fit, const MeasuredPoints& points, const std::string& model) {
@@ -101,41 +104,77 @@ std::string json_text(const ShapeFit& fit, const MeasuredPoints& points, const s
   if (fit.intervals > 0) result["intervals"] = fit.intervals;
   result["largest_residual"] = fit.distance.maxCoeff();
   Json outliers = Json::array();
-  for (const Index i : fit.outliers) outliers.push_back(points.line[static_cast<std::size_t>(i)]);
+  for (const Index i : fit.outliers) {
+    outliers.push_back(points.line.empty() ? i + 1 : points.line[static_cast<std::size_t>(i)]);
+  }
   result["outlier_lines"] = outliers;
+  result["left_out"] = fit.left_out.size();
+  result["misfit"] = fit.misfit.empty() ? Json(nullptr) : Json(fit.misfit);
+  result["planar"] = fit.planar;
+  result["closed"] = fit.closed;
   result["points"] = points.count();
   return result.dump(2) + "\n";
 }
 
-void say_what_to_know(const ShapeFit& fit, const MeasuredPoints& points) {
+void say_what_is_hidden(const ShapeFit& fit) {
   std::string hidden;
+  bool bent = true;
   for (const ShapeNumber& number : fit.numbers) {
     if (!number.determined) hidden += (hidden.empty() ? "" : ", ") + number.name;
+    if (number.name == "radius") bent = number.determined;
   }
-  if (!hidden.empty() && fit.model != ShapeModel::spline) {
+  if (fit.planar) {
+    say("the points scatter in one plane only, as those of a picture do: the errors are those of "
+        "the plane");
+  }
+  if (hidden.empty()) return;
+  if (fit.planar && bent) {
+    say("points in a plane do not tell " + hidden);
+  } else if (fit.model != ShapeModel::spline) {
     say("the points lie on a straight line within their scatter: they do not tell " + hidden);
-  } else if (!hidden.empty()) {
+  } else {
     say("the wire is straight somewhere, within the scatter of the points: they do not tell " +
         hidden);
   }
-  if (fit.rank < fit.unknowns) {
-    say(fmt::format("the points tell {} of the {} unknowns of the fit", fit.rank, fit.unknowns));
+}
+
+void say_what_is_off(const ShapeFit& fit, const MeasuredPoints& points) {
+  if (!fit.misfit.empty()) {
+    say(fmt::format("the model does not fit these points: {}{}", fit.misfit,
+                    fit.model == ShapeModel::circle  ? "; a helix or a spline may"
+                    : fit.model == ShapeModel::helix ? "; a spline may"
+                                                     : ""));
   }
-  if (fit.closed) say("the points close a circle");
-  if (!fit.outliers.empty()) {
-    std::string lines;
-    for (std::size_t k = 0; k < std::min<std::size_t>(fit.outliers.size(), 10); ++k) {
-      lines += fmt::format("{}{} ({:.3g})", k > 0 ? ", " : "", place(points, fit.outliers[k]),
-                           fit.distance[fit.outliers[k]]);
-    }
-    if (fit.outliers.size() > 10) lines += ", ...";
-    say(fmt::format("{} of the points lie too far off for their number: {}", fit.outliers.size(),
-                    lines));
+  if (fit.outliers.empty()) return;
+  std::string lines;
+  for (std::size_t k = 0; k < std::min<std::size_t>(fit.outliers.size(), 10); ++k) {
+    lines += fmt::format("{}{} ({:.3g})", k > 0 ? ", " : "", place(points, fit.outliers[k]),
+                         fit.distance[fit.outliers[k]]);
+  }
+  if (fit.outliers.size() > 10) lines += ", ...";
+  say(fmt::format("{} of the points lie too far off for their number: {}", fit.outliers.size(),
+                  lines));
+  if (!fit.left_out.empty()) {
+    say(fmt::format(
+        "{} of them, far from all others or from the neighbours in the list, {} left out: {}",
+        fit.left_out.size(), fit.left_out.size() == 1 ? "is" : "are",
+        place(points, fit.left_out.front()) + (fit.left_out.size() > 1 ? ", ..." : "")));
   }
 }
 
+void say_what_to_know(const ShapeFit& fit, const MeasuredPoints& points) {
+  say_what_is_hidden(fit);
+  if (fit.rank < fit.unknowns) {
+    say(fmt::format("the points tell {} of the {} unknowns of the fit", fit.rank, fit.unknowns));
+  }
+  if (fit.closed) {
+    say(fit.model == ShapeModel::circle ? "the points close a circle" : "the points close a loop");
+  }
+  say_what_is_off(fit, points);
+}
+
 int fit(const Options& options) {
-  MeasuredPoints points = read_points(options.points);
+  MeasuredPoints points = read_points(options.points, options.columns);
   points.ordered = options.ordered;
   FitOptions how;
   how.model = models.at(options.model);
@@ -144,9 +183,9 @@ int fit(const Options& options) {
   if (how.intervals && how.model != ShapeModel::spline) {
     throw InvalidInput("--intervals is for --model spline");
   }
-  if (std::filesystem::is_directory(options.output)) {
-    throw InvalidInput(options.output + ": is a folder");
-  }
+  const OutputRules rules{{options.points}, options.force};
+  const std::filesystem::path shape = output_file(options.output, rules);
+  if (!options.figures.empty()) output_folder(options.figures, figure_files({"fit"}), rules);
   ShapeFit result;
   try {
     result = fit_shape(points, how);
@@ -156,7 +195,7 @@ int fit(const Options& options) {
   if (!result.converged) {
     throw NumericalFailure(options.points + ": the fit does not come to rest; no shape is written");
   }
-  write_shape(options.output, result, {options.points, options.command_line});
+  write_shape(shape, result, {options.points, options.command_line});
   if (!options.figures.empty()) draw_fit(options.figures, points, result);
   std::fputs((options.json ? json_text(result, points, options.model)
                            : table(result, points, options.model))
@@ -174,14 +213,23 @@ Command fit_command(CLI::App& program, const std::string& command_line) {
   const auto options = std::make_shared<Options>();
   options->command_line = command_line;
   app->set_help_flag("--help,-h", "This help");
-  app->add_option("POINTS.csv", options->points,
-                  "x, y, z of a point per line; then arc length and standard error, if known")
+  app->add_option(
+         "POINTS.csv", options->points,
+         "x, y, z of a point per line, and arc length and standard error, if known; text with or "
+         "without a header, or markups of 3D Slicer (.fcsv, .mrk.json)")
       ->required();
   app->add_option("--model", options->model, "circle, helix, or spline (bending that changes)")
       ->required()
       ->check(CLI::IsMember({"circle", "helix", "spline"}));
   app->add_option("-o,--output", options->output, "The shape")->required()->type_name("SHAPE.toml");
-  app->add_flag("--ordered", options->ordered, "The points come in order along the wire");
+  app->add_flag("--force", options->force, "Replaces an existing SHAPE.toml and figures");
+  app->add_option("--columns", options->columns,
+                  "Which columns are x, y, z[, arc[, sigma]]: their names, or numbers from 1")
+      ->delimiter(',')
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  app->add_flag("--ordered", options->ordered,
+                "The points come in order along the wire, whatever it looks like");
   app->add_flag("--robust", options->robust,
                 "Points far off count by their distance, not by its square (Huber)");
   app->add_option("--intervals", options->intervals,

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
-#include <system_error>
 #include <vector>
 
 #include "wirepack/core/error.hpp"
@@ -12,6 +11,7 @@
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/hdf5_recorder.hpp"
+#include "wirepack/io/output_path.hpp"
 #include "wirepack/observe/packing_density.hpp"
 
 #include "command.hpp"
@@ -33,7 +33,7 @@ void say(const std::string& message) {
   std::fputs(("wirepack run: " + message + "\n").c_str(), stderr);
 }
 
-Scenario scenario_of(const RunOptions& options) {
+std::vector<ConfigOverride> overrides_of(const RunOptions& options) {
   std::vector<ConfigOverride> overrides;
   for (const std::string& assignment : options.assignments) {
     overrides.push_back({assignment, "--set " + assignment});
@@ -41,7 +41,7 @@ Scenario scenario_of(const RunOptions& options) {
   if (!options.method.empty()) {
     overrides.push_back({"packing.method=" + options.method, "--method " + options.method});
   }
-  return read_config(options.config, overrides);
+  return overrides;
 }
 
 int show_plan(const Scenario& scenario) {
@@ -59,13 +59,6 @@ int show_plan(const Scenario& scenario) {
           .c_str(),
       stdout);
   return exit_done;
-}
-
-bool exists(const std::string& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (std::filesystem::is_directory(status)) throw InvalidInput(file + ": is a folder");
-  return std::filesystem::exists(status);
 }
 
 int exit_code(const RunResult& result) {
@@ -127,20 +120,17 @@ int resume(const Scenario& scenario, const RunOptions& options) {
 
 int run(const RunOptions& options) {
   use_threads(options.threads);
-  const Scenario scenario = scenario_of(options);
+  const std::vector<ConfigOverride> overrides = overrides_of(options);
+  const Scenario scenario = read_config(options.config, overrides);
   if (options.dry_run) return show_plan(scenario);
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
-  const bool there = exists(options.output);
-  if (there && !std::filesystem::is_regular_file(options.output)) {
-    throw InvalidInput(options.output + " is not a regular file: a result cannot go there");
-  }
-  if (options.resume && there) return resume(scenario, options);
+  const OutputRules rules{config_inputs(options.config, overrides), options.force || options.resume,
+                          "--resume goes on from it, --force replaces it"};
+  const std::filesystem::path target = output_file(options.output, rules);
+  if (options.resume && std::filesystem::exists(target)) return resume(scenario, options);
   if (options.resume) say(options.output + " is not there yet: starting from the beginning");
-  if (there && !options.force) {
-    throw InvalidInput(options.output + " exists; --resume goes on from it, --force replaces it");
-  }
   PackingRun packing(scenario);
-  Hdf5Recorder recorder(options.output, scenario, options.command_line);
+  Hdf5Recorder recorder(target, scenario, options.command_line);
   return finish(packing, recorder, scenario, RunTotals{}, options);
 }
 

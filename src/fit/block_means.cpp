@@ -4,8 +4,8 @@
 
 namespace wirepack {
 
-BlockMeans block_means(const MeasuredPoints& points) {
-  const Index n = points.count(), count = std::min(n, most_block_means);
+BlockMeans block_means(const MeasuredPoints& points, Index most) {
+  const Index n = points.count(), count = std::min(n, most);
   BlockMeans result;
   MeasuredPoints& means = result.points;
   means.ordered = points.ordered;

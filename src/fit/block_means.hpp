@@ -9,10 +9,10 @@ namespace wirepack {
 
 /// Means of runs of successive points: less scatter, and an order that it does not disturb.
 struct BlockMeans {
-  MeasuredPoints points;        ///< at most most_block_means; as many as there are of fewer points
+  MeasuredPoints points;        ///< at most `most`; as many as there are of fewer points
   std::vector<Index> of_point;  ///< the mean that each point is in
 };
 constexpr Index most_block_means = 600;
-BlockMeans block_means(const MeasuredPoints& points);
+BlockMeans block_means(const MeasuredPoints& points, Index most = most_block_means);
 
 }  // namespace wirepack

@@ -1,9 +1,12 @@
 #include "curve_problem.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <ceres/ceres.h>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <vector>
 
 namespace wirepack {
 
@@ -25,8 +28,10 @@ class Residuals : public ceres::EvaluationCallback {
   }
 
   Eigen::VectorXd& unknowns() { return unknowns_; }
+  double squares() const { return values_.topRows(rows_).squaredNorm(); }
   Index rows() const { return rows_; }
   double value(Index point, Index row) const { return values_(row, point); }
+  const Points& values() const { return values_; }
   const RowMajor& jacobian() const { return jacobian_; }
   const DarbouxCurve& curve() const { return curve_; }
   const Eigen::VectorXd& feet() const { return feet_; }
@@ -71,6 +76,8 @@ class PointCost : public ceres::CostFunction {
   }
   bool Evaluate(double const* const*, double* values, double** jacobians) const override {
     const Index rows = residuals_.rows(), size = residuals_.curve().size();
+    // a step that overflows is no step: Ceres takes a shorter one
+    if (!residuals_.values().col(point_).allFinite()) return false;
     for (Index r = 0; r < rows; ++r) values[r] = residuals_.value(point_, r);
     if (jacobians != nullptr && jacobians[0] != nullptr) {
       Eigen::Map<RowMajor>(jacobians[0], rows, size) =
@@ -107,6 +114,36 @@ bool at_rest(const Residuals& residuals, const RowMajor& jacobian, double huber)
   return true;
 }
 
+// Steps of Gauss and Newton to where round-off ends them, so that the shape does not depend on when
+// a minimizer stops. A step that does not lead down is taken back.
+void polish(Residuals& residuals) {
+  std::vector<Index> free;
+  for (Index k = 0; k < residuals.unknowns().size(); ++k) {
+    if (k != DarbouxCurve::shift_along || residuals.rows() == 3) free.push_back(k);
+  }
+  const Index rows = residuals.rows();
+  double last = std::numeric_limits<double>::infinity();
+  for (int round = 0; round < 40; ++round) {
+    const Eigen::VectorXd before = residuals.unknowns();
+    const double squares = residuals.squares();
+    const Eigen::MatrixXd jacobian = residuals.jacobian()(Eigen::all, free);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jacobian);
+    qr.setThreshold(1e-9);
+    const Points values = residuals.values();
+    const Eigen::VectorXd step = qr.solve(values.topRows(rows).reshaped());
+    residuals.unknowns()(free) -= step;
+    residuals.PrepareForEvaluation(true, true);
+    if (!(residuals.squares() <= squares * (1 + 1e-11))) {
+      residuals.unknowns() = before;
+      residuals.PrepareForEvaluation(true, true);
+      return;
+    }
+    const double size = step.norm() / before.norm();
+    if (size <= 1e-15 || (size < 1e-11 && size > 0.7 * last)) return;
+    last = size;
+  }
+}
+
 }  // namespace
 
 CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, double huber,
@@ -140,17 +177,25 @@ CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, d
   ceres::Solve(options, &problem, &summary);
 
   residuals.PrepareForEvaluation(true, true);
-  CurveSolution solution{residuals.curve(), residuals.feet(), {}, {}, {}, {}, {}, {}, {}};
+  const bool to_the_end = summary.termination_type == ceres::CONVERGENCE;
+  if (to_the_end && huber == 0) polish(residuals);
+  CurveSolution solution{residuals.curve(), residuals.feet(), {}, {}, {}, {}, {}, {}, {}, {}};
   solution.rows = residuals.rows();
   solution.huber = huber;
-  solution.cost = summary.final_cost;
+  solution.cost = huber > 0 ? summary.final_cost : residuals.squares() / 2;
   solution.jacobian = residuals.jacobian();
   solution.weighted_distance = residuals.weighted_distances();
   solution.distance.resize(points.count());
+  solution.residual.resize(3, points.count());
   for (Index i = 0; i < points.count(); ++i) {
     solution.distance[i] = solution.weighted_distance[i] / residuals.weight(i);
+    Vec3 value = residuals.values().col(i);
+    if (solution.rows == 2) value.z() = 0;
+    solution.residual.col(i) = residuals.curve().at(residuals.feet()[i]).directors * value;
   }
-  solution.converged = at_rest(residuals, residuals.jacobian(), huber);
+  const bool finite = solution.jacobian.allFinite() && solution.weighted_distance.allFinite();
+  if (!finite) solution.cost = std::numeric_limits<double>::infinity();
+  solution.converged = finite && at_rest(residuals, residuals.jacobian(), huber);
   return solution;
 }
 

@@ -20,6 +20,7 @@ struct CurveSolution {
   double huber = 0;          ///< bound of Huber's loss on weighted distances; 0: none
   Eigen::MatrixXd jacobian;  ///< of the residuals by the unknowns of the curve
   Eigen::VectorXd distance, weighted_distance;
+  Points residual;         ///< from the foot to the point, over sigma
   bool converged = false;  ///< the gradient vanishes to round-off of the residuals
 };
 

@@ -164,8 +164,9 @@ void DarbouxCurve::integrate(std::vector<Piece>& side, Pose pose, const Eigen::M
 const DarbouxCurve::Piece& DarbouxCurve::piece_at(double arc) const {
   const auto& side = sides_[arc >= middle_ ? 0 : 1];
   if (side.size() == 1) return side.front();
-  const double place = std::min(std::abs(arc - middle_) / step_, double(side.size() - 1));
-  return side[static_cast<std::size_t>(place)];
+  const double place = std::abs(arc - middle_) / step_;
+  const double last = double(side.size() - 1);
+  return side[static_cast<std::size_t>(place < last ? place : last)];  // also of what is no number
 }
 
 DarbouxCurve::Pose DarbouxCurve::at(double arc) const {
@@ -199,6 +200,7 @@ double DarbouxCurve::foot(const Vec3& point, double arc) const {
     const double slope = std::max(1 - bend.dot(away), 0.3);
     const double limit = 0.5 / std::max(bend.norm(), 1e-300);
     const double step = std::clamp(here.directors.col(2).dot(away) / slope, -limit, limit);
+    if (!std::isfinite(step)) break;
     arc += step;
     // What is left changes the distance by its square only.
     if (std::abs(step) < 1e-10 * limit || std::abs(step) < 1e-10 * std::abs(arc - middle_)) break;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "block_means.hpp"
+#include "point_sample.hpp"
 
 namespace wirepack {
 
@@ -145,29 +146,86 @@ std::optional<Cylinder> cylinder_about(const Points& points, const Vec3& axis) {
   return result;
 }
 
+// The axis of the cylinder that is nearest to the points, from one near it (Gauss and Newton): the
+// principal axes of a tight coil are off by more than its turns are apart.
+Vec3 nearest_cylinder_axis(const Points& points, Vec3 axis) {
+  for (int round = 0; round < 20; ++round) {
+    const auto cylinder = cylinder_about(points, axis);
+    if (!cylinder) return axis;
+    const Points local = cylinder->axes.transpose() * points;
+    const double middle = cylinder->height.mean();
+    Eigen::Matrix<double, Eigen::Dynamic, 5> by(points.cols(), 5);
+    Eigen::VectorXd off(points.cols());
+    for (Index i = 0; i < points.cols(); ++i) {
+      const double c = std::cos(cylinder->angle[i]), s = std::sin(cylinder->angle[i]);
+      const double z = cylinder->height[i] - middle;
+      by.row(i) << -z * c, -z * s, -c, -s, -1;  // by a tilt, a shift and the radius
+      off[i] = std::hypot(local(0, i) - cylinder->circle.x, local(1, i) - cylinder->circle.y) -
+               cylinder->circle.radius;
+    }
+    const Eigen::VectorXd step = -by.colPivHouseholderQr().solve(off);
+    const double tilt = step.head<2>().norm();
+    if (!std::isfinite(tilt)) return axis;
+    const double limit = std::min(1.0, 0.3 / std::max(tilt, 1e-300));
+    axis = (axis + limit * (step[0] * cylinder->axes.col(0) + step[1] * cylinder->axes.col(1)))
+               .normalized();
+    if (tilt < 1e-12) break;
+  }
+  return axis;
+}
+
+// Axes of cylinders near the points, from all around; none twice.
+std::vector<Vec3> cylinder_axes(const Points& points, const Mat3& principal) {
+  std::vector<Vec3> axes;
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = 0; z <= 1; ++z) {
+        const bool twice = z == 0 && (y < 0 || (y == 0 && x <= 0));  // its opposite is there
+        if (twice) continue;
+        const Vec3 from = principal * Vec3(x, y, z).normalized();
+        const Vec3 axis = nearest_cylinder_axis(points, from);
+        const bool known = std::any_of(axes.begin(), axes.end(), [&](const Vec3& other) {
+          return axis.cross(other).norm() < 1e-6;
+        });
+        if (!known) axes.push_back(axis);
+      }
+    }
+  }
+  return axes;
+}
+
+constexpr Index enough_points = 600;
+
 // Turns per height that most of the points agree on, for points in any order: the maximum of
-// |sum exp(i (angle - w height))|.
+// |sum exp(i (angle - w height))|. Points at equal steps of height agree on others as well, of which
+// the least turns are the wire's.
 double best_winding(const Cylinder& cylinder) {
-  const Index n = cylinder.angle.size(), stride = std::max<Index>(1, n / most_block_means);
+  const Index n = cylinder.angle.size();
+  const std::vector<Index> which = point_sample(n, enough_points);
   const double range = cylinder.height.maxCoeff() - cylinder.height.minCoeff();
   const double step = 2 * pi / (8 * range);
-  const Index most = 2 * std::min(n, most_block_means);  // a quarter turn per point
-  double best = -1, winding = 0;
+  const Index most = 2 * std::min<Index>(n, 4000);  // a quarter turn per point
+  std::vector<double> size;
   for (Index k = -most; k <= most; ++k) {
     const double w = step * static_cast<double>(k);
     double real = 0, imaginary = 0;
-    for (Index i = 0; i < n; i += stride) {
+    for (const Index i : which) {
       const double a = cylinder.angle[i] - w * cylinder.height[i];
       real += std::cos(a);
       imaginary += std::sin(a);
     }
-    const double size = std::hypot(real, imaginary);
-    if (size > best) {
-      best = size;
-      winding = w;
-    }
+    size.push_back(std::hypot(real, imaginary));
   }
-  return winding;
+  const double best = *std::max_element(size.begin(), size.end());
+  Index winding = most + 1;
+  for (Index k = -most; k <= most; ++k) {
+    const auto at = [&](Index j) {
+      return j < -most || j > most ? 0.0 : size[static_cast<std::size_t>(j + most)];
+    };
+    const bool peak = at(k) >= at(k - 1) && at(k) >= at(k + 1) && at(k) > 0.85 * best;
+    if (peak && std::abs(k) < std::abs(winding)) winding = k;
+  }
+  return step * static_cast<double>(winding);
 }
 
 std::optional<AxisHelix> helix_about(const MeasuredPoints& points, const BlockMeans& blocks,
@@ -242,14 +300,23 @@ FitStart circle_start(const MeasuredPoints& points) {
 
 std::vector<FitStart> helix_starts(const MeasuredPoints& points) {
   std::vector<FitStart> starts;
-  const BlockMeans blocks = block_means(points);
+  std::vector<BlockMeans> guides{block_means(points)};
+  // many turns need all points
+  if (points.ordered && points.count() > most_block_means) {
+    guides.push_back(block_means(points, points.count()));
+  }
+  const BlockMeans& blocks = guides.front();
   const auto try_axis = [&](const Vec3& axis) {
-    if (const auto helix = helix_about(points, blocks, axis)) {
-      starts.push_back(start_of(*helix, false));
+    for (const BlockMeans& guide : guides) {
+      if (const auto helix = helix_about(points, guide, axis)) {
+        starts.push_back(start_of(*helix, false));
+      }
     }
   };
   const Mat3 axes = principal_axes(points.position);
   for (int a = 0; a < 3; ++a) try_axis(axes.col(a));
+  const Points some = points.position(Eigen::all, point_sample(points.count(), enough_points));
+  for (const Vec3& axis : cylinder_axes(some, axes)) try_axis(axis);
   if (points.ordered) {
     for (Index lag = 1; 3 * lag < blocks.points.count(); lag *= 2) {
       try_axis(axis_by_differences(blocks.points.position, lag));

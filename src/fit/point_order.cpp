@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <limits>
 #include <numeric>
+
+#include "block_means.hpp"
 
 namespace wirepack {
 
@@ -63,20 +66,61 @@ std::vector<Index> nearest_chain(const Points& points) {
   return chain;
 }
 
-// The chain goes on as a wire does: no gap far above the usual step, hardly a sharp turn.
-bool is_a_wire(const Points& points, const std::vector<Index>& chain) {
-  std::vector<double> steps;
-  Index sharp = 0;
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    const Vec3 e = points.col(chain[i]) - points.col(chain[i - 1]);
-    steps.push_back(e.norm());
-    if (i < 2) continue;
-    const Vec3 before = points.col(chain[i - 1]) - points.col(chain[i - 2]);
-    if (e.dot(before) < 0.3 * e.norm() * before.norm()) ++sharp;
+constexpr double long_step = 8;     // of a gap, in median steps
+constexpr double sharp_turn = 0.3;  // cosine
+
+// How a chain goes on: lengths of its steps, the turns between them, and where it jumps.
+struct Course {
+  Eigen::VectorXd step;
+  Eigen::VectorXd cosine;  // of the turn behind each step but the last
+  double median = 0;
+
+  Index sharp() const { return (cosine.array() < sharp_turn).count(); }
+  bool jumps(Index i) const { return step[i] > long_step * median; }
+  bool jumps() const { return step.size() > 0 && step.maxCoeff() > long_step * median; }
+  bool hardly_turns() const { return 20 * sharp() <= step.size() + 10; }
+  // A gap that the wire crosses straight on is one where points are missing.
+  bool jumps_sharply() const {
+    for (Index i = 0; i < step.size(); ++i) {
+      if (!jumps(i)) continue;
+      if (i > 0 && cosine[i - 1] < sharp_turn) return true;
+      if (i < cosine.size() && cosine[i] < sharp_turn) return true;
+    }
+    return false;
   }
-  const double longest = *std::max_element(steps.begin(), steps.end());
-  std::nth_element(steps.begin(), steps.begin() + std::ssize(steps) / 2, steps.end());
-  return longest < 8 * steps[steps.size() / 2] && 20 * sharp < std::ssize(chain);
+};
+
+double median_of(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Course course_of(const Points& chain) {
+  // a point twice is no turn
+  std::vector<Vec3> steps;
+  for (Index i = 1; i < chain.cols(); ++i) {
+    const Vec3 step = chain.col(i) - chain.col(i - 1);
+    if (step.squaredNorm() > 0) steps.push_back(step);
+  }
+  const auto count = static_cast<Index>(steps.size());
+  Course course{Eigen::VectorXd(count), Eigen::VectorXd(std::max<Index>(count - 1, 0))};
+  for (Index i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    course.step[i] = steps[k].norm();
+    if (i > 0) {
+      course.cosine[i - 1] = steps[k].dot(steps[k - 1]) / (course.step[i] * course.step[i - 1]);
+    }
+  }
+  course.median = median_of({course.step.begin(), course.step.end()});
+  return course;
+}
+
+// The chain goes on as a wire does: no gap far above the usual step, hardly a sharp turn.
+bool is_a_wire(const Points& chain) {
+  const Course course = course_of(chain);
+  return !course.jumps() && course.hardly_turns();
 }
 
 double median_neighbour_distance(const Points& points) {
@@ -89,8 +133,7 @@ double median_neighbour_distance(const Points& points) {
     }
     nearest.push_back(std::sqrt(least));
   }
-  std::nth_element(nearest.begin(), nearest.begin() + std::ssize(nearest) / 2, nearest.end());
-  return nearest[nearest.size() / 2];
+  return median_of(std::move(nearest));
 }
 
 // Arc of a point's place on the polyline through the means, in edges.
@@ -110,7 +153,101 @@ double place_on(const Points& line, const Vec3& point) {
   return place;
 }
 
+// A part of the list without a jump, or that part backwards.
+struct Piece {
+  Index first, last;
+};
+
+std::vector<Piece> pieces_of(const Points& points) {
+  const Course course = course_of(points);
+  std::vector<Piece> pieces{{0, 0}};
+  for (Index i = 1; i < points.cols(); ++i) {
+    const double step = (points.col(i) - points.col(i - 1)).norm();
+    if (step > long_step * course.median) pieces.push_back({i, i});
+    pieces.back().last = i;
+  }
+  return pieces;
+}
+
+// Pieces put together at the nearest of their ends, a chain that grows at both of its own.
+std::vector<Index> joined(const Points& points, std::vector<Piece> left) {
+  std::deque<Piece> chain{left.front()};
+  left.erase(left.begin());
+  struct Join {
+    double gap = std::numeric_limits<double>::infinity();
+    std::size_t piece = 0;
+    bool at_end = true, backwards = false;
+  };
+  while (!left.empty()) {
+    Join best;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      for (const bool at_end : {true, false}) {
+        const Index end = at_end ? chain.back().last : chain.front().first;
+        for (const bool backwards : {false, true}) {
+          const Index other = at_end != backwards ? left[k].first : left[k].last;
+          const double gap = (points.col(end) - points.col(other)).norm();
+          if (gap < best.gap) best = {gap, k, at_end, backwards};
+        }
+      }
+    }
+    Piece piece = left[best.piece];
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best.piece));
+    if (best.backwards) std::swap(piece.first, piece.last);
+    if (best.at_end) {
+      chain.push_back(piece);
+    } else {
+      chain.push_front(piece);
+    }
+  }
+  std::vector<Index> order;
+  for (const Piece& piece : chain) {
+    const Index sense = piece.last >= piece.first ? 1 : -1;
+    for (Index i = piece.first; i != piece.last + sense; i += sense) order.push_back(i);
+  }
+  return order;
+}
+
 }  // namespace
+
+std::vector<Index> order_of_list(const Points& points) {
+  std::vector<Index> list(static_cast<std::size_t>(points.cols()));
+  std::iota(list.begin(), list.end(), Index{0});
+  const Course course = course_of(points);
+  if (course.jumps()) {
+    // parts that are joined without a jump, and without a turn that the list does not have
+    const std::vector<Piece> pieces = pieces_of(points);
+    if (20 * std::ssize(pieces) <= points.cols()) {
+      std::vector<Index> order = joined(points, pieces);
+      const Course of_joined = course_of(points(Eigen::all, order));
+      const bool smooth = of_joined.hardly_turns() && of_joined.sharp() <= course.sharp();
+      if (!of_joined.jumps() && smooth) return order;
+    }
+  }
+  MeasuredPoints all;
+  all.position = points;
+  constexpr Index fewest = 8;
+  for (Index count = points.cols(); count >= fewest || count == points.cols(); count /= 2) {
+    const Course of_means = course_of(block_means(all, count).points.position);
+    if (of_means.hardly_turns() && !of_means.jumps_sharply()) return list;
+  }
+  return {};
+}
+
+std::vector<Index> spikes_of_list(const Points& points) {
+  std::vector<Index> spikes, rest;
+  for (const Piece& piece : pieces_of(points)) {
+    if (piece.first == piece.last) {
+      spikes.push_back(piece.first);
+    } else {
+      for (Index i = piece.first; i <= piece.last; ++i) rest.push_back(i);
+    }
+  }
+  const Index most = std::max<Index>(1, points.cols() / 20);
+  if (std::ssize(spikes) > most || rest.size() < 4) return {};
+  const std::vector<Index> order = order_of_list(points(Eigen::all, rest));
+  return std::is_sorted(order.begin(), order.end()) && !order.empty() ? spikes
+                                                                      : std::vector<Index>{};
+}
 
 std::vector<Index> order_along_wire(const Points& points) {
   const double spacing = median_neighbour_distance(points);
@@ -119,11 +256,8 @@ std::vector<Index> order_along_wire(const Points& points) {
   for (; radius < extent / 4; radius *= 1.5) {
     const Points means = group_means(points, radius);
     if (means.cols() < 4) break;
-    const std::vector<Index> chain = nearest_chain(means);
-    if (!is_a_wire(means, chain)) continue;
-    Points line(3, means.cols());
-    for (Index i = 0; i < line.cols(); ++i)
-      line.col(i) = means.col(chain[static_cast<std::size_t>(i)]);
+    const Points line = means(Eigen::all, nearest_chain(means));
+    if (!is_a_wire(line)) continue;
     std::vector<double> place;
     for (Index i = 0; i < points.cols(); ++i) place.push_back(place_on(line, points.col(i)));
     std::vector<Index> order(place.size());

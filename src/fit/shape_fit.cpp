@@ -2,27 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <set>
-#include <sstream>
-#include <tuple>
+#include <numeric>
+#include <string>
+#include <utility>
 
 #include "wirepack/core/error.hpp"
 
-#include "block_means.hpp"
-#include "curve_problem.hpp"
+#include "curve_choice.hpp"
+#include "far_points.hpp"
 #include "fit_uncertainty.hpp"
-#include "helix_starts.hpp"
+#include "misfit.hpp"
 #include "point_order.hpp"
+#include "points_check.hpp"
 #include "shape_numbers.hpp"
-#include "spline_start.hpp"
 
 namespace wirepack {
 
 namespace {
-
-constexpr Index most_trial_points = 200;  // on which starts compete
-constexpr Index most_intervals = 96;
 
 /// Points about their middle, in units of their extent: then all unknowns are of order 1.
 struct Scaled {
@@ -39,128 +37,13 @@ Scaled scaled(const MeasuredPoints& points) {
   if (points.arc.size() > 0) {
     result.points.arc = (points.arc.array() - points.arc.minCoeff()) / result.unit;
   }
+  result.points.resolution = points.resolution / result.unit;
   if (points.sigma.size() > 0) result.points.sigma = points.sigma / result.unit;
   return result;
 }
 
-MeasuredPoints chosen(const MeasuredPoints& points, const std::vector<Index>& which) {
-  MeasuredPoints result;
-  result.ordered = points.ordered;
-  result.position = points.position(Eigen::all, which);
-  if (points.arc.size() > 0) result.arc = points.arc(which);
-  if (points.sigma.size() > 0) result.sigma = points.sigma(which);
-  return result;
-}
-
-// So many of the points at most, equally spaced in their list.
-std::vector<Index> sample(Index count, Index most) {
-  std::vector<Index> which;
-  const Index used = std::min(count, most);
-  for (Index i = 0; i < used; ++i) which.push_back(i * count / used);
-  return which;
-}
-
-void check_points(const MeasuredPoints& points, const FitOptions& options) {
-  const Index n = points.count();
-  const Index least = options.model == ShapeModel::spline ? 8 : 4;
-  const char* model = options.model == ShapeModel::circle  ? "circle"
-                      : options.model == ShapeModel::helix ? "helix"
-                                                           : "spline";
-  std::set<std::tuple<double, double, double>> distinct;
-  for (Index i = 0; i < n; ++i) {
-    distinct.insert({points.position(0, i), points.position(1, i), points.position(2, i)});
-  }
-  const auto different = static_cast<Index>(distinct.size());
-  if (different < least) {
-    throw InvalidInput(std::to_string(n) + " points, " + std::to_string(different) +
-                       " of them different: a " + model + " with its errors needs at least " +
-                       std::to_string(least));
-  }
-  if (points.arc.size() > 0) {
-    Index first = 0, last = 0;
-    const double span = points.arc.maxCoeff(&last) - points.arc.minCoeff(&first);
-    const double apart = (points.position.col(last) - points.position.col(first)).norm();
-    if (!(span > 0.8 * apart)) {
-      std::ostringstream text;
-      text << "the arc lengths span " << span << ", but the points at their ends are " << apart
-           << " apart: is the fourth column an arc length?";
-      throw InvalidInput(text.str());
-    }
-  }
-  if (options.intervals) {
-    const Index most = std::min((2 * n - 5) / 2 - 3, most_intervals);
-    if (*options.intervals < 1 || *options.intervals > most) {
-      throw InvalidInput(std::to_string(*options.intervals) +
-                         " intervals of a spline: must be from 1 to " + std::to_string(most) +
-                         " for " + std::to_string(n) + " points");
-    }
-  }
-}
-
-// All starts compete on a sample of the points, first for a few steps, then the best of them.
-CurveSolution best_of(const MeasuredPoints& points, const std::vector<FitStart>& starts) {
-  if (starts.size() == 1) return solve_curve(points, starts.front());
-  const std::vector<Index> which = sample(points.count(), most_trial_points);
-  const MeasuredPoints few = chosen(points, which);
-  struct Trial {
-    const FitStart* start;
-    double cost;
-  };
-  std::vector<Trial> trials;
-  for (const FitStart& start : starts) trials.push_back({&start, 0});
-  for (const int iterations : {4, 40}) {
-    for (Trial& trial : trials) {
-      FitStart start = *trial.start;
-      start.feet = trial.start->feet(which);
-      trial.cost = solve_curve(few, start, 0, iterations).cost;
-    }
-    std::stable_sort(trials.begin(), trials.end(),
-                     [](const Trial& p, const Trial& q) { return p.cost < q.cost; });
-    trials.resize(std::min<std::size_t>(trials.size(), 3), trials.front());
-  }
-  return solve_curve(points, *trials.front().start);
-}
-
-// Arcs that are known stay what they are.
-void keep_arcs(const MeasuredPoints& points, FitStart& start) {
-  if (points.arc.size() == 0) return;
-  start.feet = points.arc;
-  start.basis.first = points.arc.minCoeff();
-  start.basis.last = points.arc.maxCoeff();
-}
-
-// The number of intervals by Schwarz's criterion, on means of successive points.
-Index chosen_intervals(const MeasuredPoints& points) {
-  const MeasuredPoints means = block_means(points).points;
-  const SplineStart start(means);
-  const Index residuals = (points.arc.size() > 0 ? 3 : 2) * means.count();
-  Index best = 1;
-  double least = std::numeric_limits<double>::infinity();
-  int worse = 0;
-  for (const Index intervals : interval_ladder(std::min(means.count() / 4, start.intervals()))) {
-    FitStart trial = start.with_intervals(intervals);
-    keep_arcs(means, trial);
-    const CurveSolution solution = solve_curve(means, trial, 0, 30);
-    const double criterion = schwarz_criterion(2 * solution.cost, residuals, trial.basis.size());
-    if (criterion < least) {
-      least = criterion;
-      best = intervals;
-      worse = 0;
-    } else if (++worse == 3) {
-      break;
-    }
-  }
-  return best;
-}
-
-CurveSolution refined(const MeasuredPoints& points, CurveSolution solution, bool robust) {
-  if (!robust) return solution;
-  for (int round = 0; round < 3; ++round) {
-    const double scale = points.sigma.size() > 0 ? 1 : robust_scale(solution);
-    if (!(scale > 0)) break;
-    solution = solve_curve(points, continued(solution), 2 * scale);
-  }
-  return solution;
+Vec3 in_scale(const Scaled& scale, const Vec3& point) {
+  return (point - scale.centre) / scale.unit;
 }
 
 // k0 as a table: of a constant one with bending about d2 alone, as for a wire of that precurvature.
@@ -197,8 +80,190 @@ Points drawn(const DarbouxCurve& curve, double first, double last, const Scaled&
   return points;
 }
 
-ShapeFit result_of(const Scaled& scale, const CurveSolution& solution, const FitOptions& options) {
+// The points that are fitted, in the order in which they are.
+struct Listed {
+  std::vector<Index> which;
+  bool ordered = false, order_may_be_wrong = false;
+};
+
+std::vector<Index> through(const std::vector<Index>& outer, const std::vector<Index>& inner) {
+  std::vector<Index> result;
+  for (const Index i : inner) result.push_back(outer[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+Listed listed(const MeasuredPoints& points, std::vector<Index> which, ShapeModel model) {
+  if (points.arc.size() > 0) {  // known arcs give the order, too
+    std::stable_sort(which.begin(), which.end(),
+                     [&](Index a, Index b) { return points.arc[a] < points.arc[b]; });
+    return {which, true, false};
+  }
+  if (points.ordered) return {which, true, false};
+  const Points position = points.position(Eigen::all, which);
+  if (const std::vector<Index> order = order_of_list(position); !order.empty()) {
+    return {through(which, order), true, false};
+  }
+  if (model == ShapeModel::circle) return {which, false, true};
+  const std::vector<Index> order = order_along_wire(position);
+  if (!order.empty()) return {through(which, order), true, true};
+  return {which, false, true};
+}
+
+/// A curve through those of the points that are not left out.
+struct Fitted {
+  Listed listed;
+  Scaled scale;
+  CurveSolution solution;
+};
+
+Fitted fitted(const MeasuredPoints& given, Listed list, const FitOptions& options) {
+  MeasuredPoints points = chosen(given, list.which);
+  points.ordered = list.ordered;
+  Scaled scale = scaled(points);
+  CurveSolution solution = nearest_curve(scale.points, options, list.order_may_be_wrong);
+  return {std::move(list), std::move(scale), std::move(solution)};
+}
+
+double turns_of(const CurveSolution& solution) {
+  return solution.curve.darboux(0).norm() * (solution.feet.maxCoeff() - solution.feet.minCoeff()) /
+         (2 * pi);
+}
+
+// The order along a coil that the points as a set are near; empty when they are near none.
+std::vector<Index> order_along_coil(const MeasuredPoints& given, const Listed& list) {
+  const Fitted coil = fitted(given, list, {ShapeModel::helix, false, {}});
+  const CurveSolution& solution = coil.solution;
+  if (!solution.converged || turns_of(solution) < 1 || !tells_turns(solution)) return {};
+  const Uncertainty uncertainty = uncertainty_of(coil.scale.points, solution);
+  const bool fits = misfit_of(ShapeModel::helix, coil.scale.points, solution, uncertainty).empty();
+  if (!fits) return {};
+  std::vector<Index> order(list.which.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](Index a, Index b) { return solution.feet[a] < solution.feet[b]; });
+  return through(coil.listed.which, order);
+}
+
+constexpr const char* no_order =
+    "they come in no order that tells turns apart; give them in order, with --ordered, or with "
+    "their arc lengths";
+
+Fitted fitted(const MeasuredPoints& given, const std::vector<Index>& kept,
+              const FitOptions& options) {
+  Listed list = listed(given, kept, options.model);
+  if (options.model == ShapeModel::spline && list.order_may_be_wrong) {
+    if (std::vector<Index> order = order_along_coil(given, list); !order.empty()) {
+      list = {std::move(order), true, false};
+    } else if (!list.ordered) {
+      throw InvalidInput(
+          "the points do not line up along one wire: a spline needs them in order, with --ordered, "
+          "or with their arc lengths");
+    }
+  }
+  Fitted fit = fitted(given, std::move(list), options);
+  if (!fit.listed.order_may_be_wrong || options.model == ShapeModel::circle) return fit;
+  const CurveSolution& solution = fit.solution;
+  const bool told = options.model == ShapeModel::helix
+                        ? turns_of(solution) < 1.5 || tells_turns(solution)
+                        : !may_join_turns(solution, uncertainty_of(fit.scale.points, solution));
+  if (!told || !solution.converged) {
+    throw InvalidInput(std::string("the points cannot tell the shape: ") + no_order);
+  }
+  return fit;
+}
+
+// Arc of the place on the curve that is nearest to a point, which may be anywhere.
+double nearest_arc(const DarbouxCurve& curve, double first, double last, const Vec3& point) {
+  constexpr Index places = 2000;
+  double arc = first, least = std::numeric_limits<double>::infinity();
+  const auto distance = [&](double s) { return (curve.at(s).position - point).norm(); };
+  for (Index i = 0; i <= places; ++i) {
+    const double s = first + (last - first) * static_cast<double>(i) / places;
+    if (distance(s) >= least) continue;
+    least = distance(s);
+    arc = s;
+  }
+  const double foot = curve.foot(point, arc);
+  return distance(foot) < least ? foot : arc;
+}
+
+// The curve goes on from its end to its start, and is not open by more than the usual step there.
+bool closes(const CurveSolution& solution, double first, double last, double gap) {
+  const DarbouxCurve::Pose start = solution.curve.at(first), end = solution.curve.at(last);
+  const double step = (last - first) / static_cast<double>(solution.feet.size() - 1);
+  const Vec3 way = start.position - end.position;
+  const Vec3 tangent = end.directors.col(2);
+  const bool straight_on = way.dot(tangent) > 0.7 * way.norm() || way.norm() < 0.1 * step;
+  const bool smooth = start.directors.col(2).dot(tangent) > 0.5 && straight_on;
+  return last - first > 6 * gap && gap < 3 * step && smooth;
+}
+
+// Beyond what one normal residual of so many exceeds with a chance of 1 in 20, and beyond rounding.
+std::vector<Index> outliers_of(const MeasuredPoints& points, const CurveSolution& solution,
+                               const Uncertainty& uncertainty) {
+  const auto n = static_cast<double>(points.count());
+  const Index dimensions = uncertainty.dimensions;
+  const double limit = std::sqrt(2 * std::log(20 * n) + static_cast<double>(dimensions - 2));
+  const double usual =
+      std::max(median_scale(solution, dimensions), upper_scale(solution, dimensions));
+  const double sigma =
+      points.sigma.size() > 0 ? 1 : std::max(std::min(uncertainty.noise, usual), 1e-12);
+  std::vector<Index> outliers;
+  for (Index i = 0; i < points.count(); ++i) {
+    const bool far = solution.weighted_distance[i] > limit * sigma;
+    if (far && solution.distance[i] > points.resolution) outliers.push_back(i);
+  }
+  return outliers;
+}
+
+// Arc and distance of all points, of those that are left out, too.
+void place_points(const Fitted& fitted, const MeasuredPoints& given, const std::vector<Index>& far,
+                  ShapeFit& fit) {
+  const CurveSolution& solution = fitted.solution;
+  const double first = solution.feet.minCoeff(), last = solution.feet.maxCoeff();
+  fit.arc.resize(given.count());
+  fit.distance.resize(given.count());
+  const auto put = [&](Index i, double arc, double distance) {
+    fit.arc[i] = (arc - first) * fitted.scale.unit;
+    fit.distance[i] = distance * fitted.scale.unit;
+  };
+  for (std::size_t k = 0; k < fitted.listed.which.size(); ++k) {
+    const auto here = static_cast<Index>(k);
+    put(fitted.listed.which[k], solution.feet[here], solution.distance[here]);
+  }
+  for (const Index i : far) {
+    const Vec3 point = in_scale(fitted.scale, given.position.col(i));
+    const double arc = nearest_arc(solution.curve, first, last, point);
+    put(i, arc, (solution.curve.at(arc).position - point).norm());
+  }
+}
+
+// Points all around: in no given order, the gap between the last and the first is wire as well.
+void note_closure(const Fitted& fitted, bool order_given, double first, double last,
+                  ShapeFit& fit) {
+  const double unit = fitted.scale.unit;
+  double gap = 0;
+  if (fit.model == ShapeModel::helix) return;
+  if (fit.model == ShapeModel::circle) {
+    if (!fit.numbers[2].determined) return;
+    const double around = 2 * pi * fit.numbers[2].value / unit;
+    const double step = (last - first) / static_cast<double>(fitted.solution.feet.size() - 1);
+    gap = around - (last - first);
+    fit.closed = gap < 3 * step;
+  } else {
+    const DarbouxCurve& curve = fitted.solution.curve;
+    gap = (curve.at(first).position - curve.at(last).position).norm();
+    fit.closed = closes(fitted.solution, first, last, gap);
+  }
+  if (fit.closed && !order_given && gap > 0) fit.length += gap * unit;
+}
+
+ShapeFit result_of(const Fitted& fitted, const MeasuredPoints& given, const std::vector<Index>& far,
+                   const FitOptions& options) {
+  const Scaled& scale = fitted.scale;
+  const CurveSolution& solution = fitted.solution;
   const MeasuredPoints& points = scale.points;
+  const std::vector<Index>& which = fitted.listed.which;
   const Index n = points.count();
   const double unit = scale.unit;
   ShapeFit fit;
@@ -214,91 +279,64 @@ ShapeFit result_of(const Scaled& scale, const CurveSolution& solution, const Fit
   fit.correlation = found.correlation;
   fit.length = (last - first) * unit;
   fit.shape.table = table_of(solution, fit, first, last, unit);
-  fit.arc = (solution.feet.array() - first) * unit;
-  fit.distance = solution.distance * unit;
-  fit.residual_rms = std::sqrt(fit.distance.squaredNorm() / static_cast<double>(n));
+  fit.residual_rms = unit * std::sqrt(solution.distance.squaredNorm() / static_cast<double>(n));
   const bool weighted = points.sigma.size() > 0;
   fit.noise = uncertainty.noise * (weighted ? 1 : unit);
   if (weighted) fit.chi_square = solution.weighted_distance.squaredNorm();
-  // Chance of one normal residual in so many dimensions beyond the limit: 1 / (20 n).
-  const double limit =
-      std::sqrt(2 * std::log(20 * static_cast<double>(n)) + double(solution.rows - 2));
-  const double sigma =
-      weighted ? 1 : std::max(std::min(uncertainty.noise, robust_scale(solution)), 1e-12);
-  for (Index i = 0; i < n; ++i) {
-    if (solution.weighted_distance[i] > limit * sigma) fit.outliers.push_back(i);
+  fit.planar = uncertainty.planar;
+  fit.misfit = misfit_of(fit.model, points, solution, uncertainty);
+  fit.converged = solution.converged && std::isfinite(fit.length);
+  place_points(fitted, given, far, fit);
+  fit.left_out = far;
+  fit.outliers = far;
+  for (const Index k : outliers_of(points, solution, uncertainty)) {
+    fit.outliers.push_back(which[static_cast<std::size_t>(k)]);
   }
-  fit.converged = solution.converged;
-  if (options.model == ShapeModel::circle) {
-    const double around = 2 * pi * fit.numbers[2].value;
-    fit.closed = fit.numbers[2].determined &&
-                 around - fit.length < 3 * fit.length / static_cast<double>(n - 1);
-    if (fit.closed && !points.ordered) fit.length = around;
-  }
+  std::sort(fit.outliers.begin(), fit.outliers.end());
+  note_closure(fitted, given.ordered || given.arc.size() > 0, first, last, fit);
   fit.curve = drawn(solution.curve, first, last, scale);
   return fit;
+}
+
+// Points far from all others, or from their neighbours in the list.
+std::vector<Index> errors_of_measurement(const Points& points) {
+  std::vector<Index> found;
+  const std::vector<Index> far = far_points(points), spikes = spikes_of_list(points);
+  std::set_union(far.begin(), far.end(), spikes.begin(), spikes.end(), std::back_inserter(found));
+  return found;
+}
+
+bool lies_on(const Fitted& fitted, const Vec3& given) {
+  const CurveSolution& solution = fitted.solution;
+  const Vec3 point = in_scale(fitted.scale, given);
+  const double first = solution.feet.minCoeff(), last = solution.feet.maxCoeff();
+  const double length = last - first;
+  const double arc = nearest_arc(solution.curve, first - length / 2, last + length / 2, point);
+  const double off = (solution.curve.at(arc).position - point).norm();
+  const double rms = std::sqrt(solution.distance.squaredNorm() / double(solution.distance.size()));
+  return off < std::max(5 * rms, 1e-9);
 }
 
 }  // namespace
 
 ShapeFit fit_shape(const MeasuredPoints& given, const FitOptions& options) {
-  check_points(given, options);
-  MeasuredPoints points = given;
-  std::vector<Index> order;
-  if (points.arc.size() > 0) {
-    // Known arcs give the order, too.
-    points.ordered = true;
-    order.resize(static_cast<std::size_t>(points.count()));
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<Index>(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return given.arc[a] < given.arc[b]; });
-  } else if (options.model != ShapeModel::circle && !points.ordered) {
-    order = order_along_wire(points.position);
-    if (order.empty() && options.model == ShapeModel::spline) {
-      throw InvalidInput(
-          "the points do not line up along one wire: a spline needs them in order, with --ordered, "
-          "or with their arc lengths");
+  std::vector<Index> far = errors_of_measurement(given.position);
+  if (given.count() - std::ssize(far) < fewest_points(options.model)) far.clear();
+  const auto kept_of = [&] {
+    std::vector<Index> kept;
+    for (Index i = 0; i < given.count(); ++i) {
+      if (!std::binary_search(far.begin(), far.end(), i)) kept.push_back(i);
     }
+    return kept;
+  };
+  std::vector<Index> kept = kept_of();
+  check_points(chosen(given, kept), options);
+  Fitted fit = fitted(given, kept, options);
+  // what stands alone, but on the curve, is no error
+  if (std::erase_if(far, [&](Index i) { return lies_on(fit, given.position.col(i)); }) > 0) {
+    fit = fitted(given, kept_of(), options);
   }
-  if (!order.empty()) {
-    points = chosen(points, order);
-    points.ordered = true;
-  }
-  const Scaled scale = scaled(points);
-  CurveSolution solution = [&] {
-    if (options.model == ShapeModel::spline) {
-      const SplineStart start(scale.points);
-      const Index intervals =
-          options.intervals ? *options.intervals : chosen_intervals(scale.points);
-      FitStart one = start.with_intervals(intervals);
-      keep_arcs(scale.points, one);
-      return best_of(scale.points, {one});
-    }
-    std::vector<FitStart> starts = options.model == ShapeModel::circle
-                                       ? std::vector<FitStart>{circle_start(scale.points)}
-                                       : helix_starts(scale.points);
-    if (options.model == ShapeModel::helix && !given.ordered && points.arc.size() == 0) {
-      // an order that was found may be wrong
-      MeasuredPoints loose = scale.points;
-      loose.ordered = false;
-      const std::vector<FitStart> more = helix_starts(loose);
-      starts.insert(starts.end(), more.begin(), more.end());
-    }
-    for (FitStart& start : starts) keep_arcs(scale.points, start);
-    return best_of(scale.points, starts);
-  }();
-  solution = refined(scale.points, std::move(solution), options.robust);
-  ShapeFit fit = result_of(scale, solution, options);
-  if (order.empty()) return fit;
-  // back to the order of the file
-  const Eigen::VectorXd arc = fit.arc, distance = fit.distance;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    fit.arc[order[i]] = arc[static_cast<Index>(i)];
-    fit.distance[order[i]] = distance[static_cast<Index>(i)];
-  }
-  for (Index& i : fit.outliers) i = order[static_cast<std::size_t>(i)];
-  std::sort(fit.outliers.begin(), fit.outliers.end());
-  return fit;
+  return result_of(fit, given, far, options);
 }
 
 }  // namespace wirepack

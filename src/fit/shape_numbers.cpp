@@ -9,6 +9,7 @@ namespace wirepack {
 
 namespace {
 
+constexpr double straight = 1e-9;  // curvature of round-off, over the extent of the points
 constexpr double straight_significance = 11.8;  // chi^2 of two numbers, as rare as three sigma
 
 /// Numbers of a shape as functions of the unknowns: curvature, torsion[, radius, pitch].
@@ -51,7 +52,7 @@ bool is_bent(const CurveSolution& solution, const Uncertainty& uncertainty, doub
     }
     const Eigen::Vector2d k = rows * solution.curve.unknowns();
     const Eigen::Matrix2d covariance = rows * uncertainty.covariance * rows.transpose();
-    if (!(k.norm() > 1e-9)) return false;
+    if (!(k.norm() > straight)) return false;
     if (!(k.dot(covariance.fullPivLu().solve(k)) > straight_significance)) return false;
   }
   return true;
@@ -86,14 +87,18 @@ ShapeNumbers shape_numbers(ShapeModel model, const CurveSolution& solution,
     number.fixed = model == ShapeModel::circle && (i == 1 || i == 3);
     const bool hidden = uncertainty.unknown_directions.cols() > 0 &&
                         (by_unknown.row(i) * uncertainty.unknown_directions).norm() >
-                            1e-6 * by_unknown.row(i).norm();
-    number.determined = number.fixed || (!hidden && (bent || i == 0));
+                            (uncertainty.planar ? 0.1 : 1e-6) * by_unknown.row(i).norm();
+    number.determined = (number.fixed && (bent || i == 1)) || (!hidden && (bent || i == 0));
     if (i == 0 && !bent && model != ShapeModel::spline) {
       // the length of (k1, k2) has no derivative at 0; either component has this error
       const auto block =
           uncertainty.covariance.block<2, 2>(DarbouxCurve::pose_size, DarbouxCurve::pose_size);
-      number.standard_error = std::sqrt(block.trace() / 2) * units[k];
+      number.standard_error = std::sqrt(block.trace() / (uncertainty.planar ? 1 : 2)) * units[k];
+      if (values[i] < straight) number.value = 0;
+      number.determined = true;
     }
+    number.fixed = number.fixed && number.determined;
+    if (!number.determined) number.value = number.standard_error = 0;
     counts.push_back(number.determined && !number.fixed);
     result.numbers.push_back(number);
   }
@@ -101,7 +106,8 @@ ShapeNumbers shape_numbers(ShapeModel model, const CurveSolution& solution,
   for (Index i = 0; i < count; ++i) {
     for (Index j = 0; j < count; ++j) {
       if (!counts[static_cast<std::size_t>(i)] || !counts[static_cast<std::size_t>(j)]) continue;
-      result.correlation(i, j) = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+      const double both = std::sqrt(covariance(i, i) * covariance(j, j));
+      if (both > 0) result.correlation(i, j) = covariance(i, j) / both;
     }
   }
   return result;

@@ -96,7 +96,7 @@ Points on_spline(const PositionSpline& spline, const Eigen::VectorXd& u) {
 Eigen::VectorXd nearest_parameters(const Points& points, const Eigen::VectorXd& was,
                                    const Points& line) {
   const Eigen::VectorXd arc = cumulated_chords(line);
-  const Index m = line.cols(), window = std::max<Index>(3, m / 20);
+  const Index m = line.cols(), window = std::max<Index>(3, std::min(m / 20, 8 * m / points.cols()));
   Eigen::VectorXd u(was.size());
   for (Index i = 0; i < was.size(); ++i) {
     const auto guess = static_cast<Index>(was[i] * static_cast<double>(m - 1));
@@ -114,27 +114,88 @@ Eigen::VectorXd nearest_parameters(const Points& points, const Eigen::VectorXd& 
   return u / arc[m - 1];
 }
 
+// Place at a share of the way from a to b on a circle that leaves a along a tangent.
+Vec3 on_circle(const Vec3& a, const Vec3& tangent, const Vec3& b, double share) {
+  const Vec3 chord = b - a;
+  const double angle = std::atan2(tangent.cross(chord).norm(), tangent.dot(chord));
+  const Vec3 across = chord - chord.dot(tangent) * tangent;
+  if (angle < 1e-6 || !(across.norm() > 0)) return a + share * chord;
+  const double part = share * angle;
+  return a + chord.norm() * std::sin(part) / std::sin(angle) *
+                 (std::cos(part) * tangent + std::sin(part) * across.normalized());
+}
+
+// Tangent at the middle one of three points of the circle through them: inverted about it, the circle
+// is a line.
+Vec3 tangent_at(const Vec3& before, const Vec3& here, const Vec3& after) {
+  const Vec3 a = here - before, b = after - here;
+  return (a / a.squaredNorm() + b / b.squaredNorm()).normalized();
+}
+
+// Through all points, `parts` to a step: between two of them, a blend of the circles through either
+// and its neighbours, on which points of a coil may be a sixth of a turn apart.
+Points blended_circles(const Points& points, Index parts) {
+  const Index n = points.cols();
+  Points line(3, (n - 1) * parts + 1);
+  for (Index i = 0; i + 1 < n; ++i) {
+    const Vec3 a = points.col(i), b = points.col(i + 1);
+    const bool first = i == 0, last = i + 2 == n;
+    const Vec3 from = first ? a : tangent_at(points.col(i - 1), a, b);
+    const Vec3 to = last ? b : tangent_at(a, b, points.col(i + 2));
+    for (Index k = 0; k < parts; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(parts);
+      const Vec3 one = first ? on_circle(b, -to, a, 1 - share) : on_circle(a, from, b, share);
+      const Vec3 other = last ? one : on_circle(b, -to, a, 1 - share);
+      line.col(i * parts + k) = (1 - share) * one + share * other;
+    }
+  }
+  line.col(line.cols() - 1) = points.col(n - 1);
+  return line;
+}
+
+// Without those that are where the one before is.
+std::vector<Index> without_repeats(const Points& points) {
+  std::vector<Index> kept{0};
+  for (Index i = 1; i < points.cols(); ++i) {
+    if ((points.col(i) - points.col(kept.back())).norm() > 1e-9) kept.push_back(i);
+  }
+  return kept;
+}
+
 }  // namespace
 
-SplineStart::SplineStart(const MeasuredPoints& points) {
+SplineStart::SplineStart(const MeasuredPoints& points, SplineLine how) {
   const bool known_arcs = points.arc.size() > 0;
   const BlockMeans blocks = block_means(points);
   const Points& means = blocks.points.position;
   const Index last = means.cols() - 1;
   Eigen::VectorXd u = known_arcs ? blocks.points.arc : cumulated_chords(means);
   u /= known_arcs ? points.arc[points.count() - 1] : u[last];
-  PositionSpline spline;
-  Eigen::VectorXd fine;
-  for (int round = 0; round < 3; ++round) {
-    spline = position_spline(means, u);
-    fine = Eigen::VectorXd::LinSpaced(40 * spline.intervals + 1, 0, 1);
-    if (!known_arcs && round < 2) {
-      u = nearest_parameters(means, u, on_spline(spline, fine));
-      u = (u.array() - u[0]) / (u[last] - u[0]);
+  Points line;
+  if (how == SplineLine::through_points) {
+    constexpr Index parts = 8;
+    const std::vector<Index> kept = without_repeats(means);
+    line = blended_circles(means(Eigen::all, kept), parts);
+    intervals_ = means.cols() / 3;
+    const Eigen::VectorXd arcs = cumulated_chords(line);
+    for (Index i = 0, k = 0; i <= last && !known_arcs; ++i) {
+      if (k + 1 < std::ssize(kept) && kept[static_cast<std::size_t>(k + 1)] <= i) ++k;
+      u[i] = arcs[k * parts] / arcs[arcs.size() - 1];
     }
+  } else {
+    PositionSpline spline;
+    Eigen::VectorXd fine;
+    for (int round = 0; round < 3; ++round) {
+      spline = position_spline(means, u);
+      fine = Eigen::VectorXd::LinSpaced(40 * spline.intervals + 1, 0, 1);
+      if (!known_arcs && round < 2) {
+        u = nearest_parameters(means, u, on_spline(spline, fine));
+        u = (u.array() - u[0]) / (u[last] - u[0]);
+      }
+    }
+    intervals_ = spline.intervals;
+    line = on_spline(spline, fine);
   }
-  intervals_ = spline.intervals;
-  const Points line = on_spline(spline, fine);
   arcs_ = cumulated_chords(line);
   length_ = arcs_[arcs_.size() - 1];
   if (known_arcs) {

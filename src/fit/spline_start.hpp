@@ -9,12 +9,16 @@
 
 namespace wirepack {
 
-/// A smooth curve through ordered points: position as a cubic B-spline of the arc, with as many
-/// intervals as Schwarz's criterion wants. Only a start, as its curvature is biased where the wire
-/// bends tightly.
+/// The line of a start along ordered points. Smoothed: position as a cubic B-spline of the arc, with as
+/// many intervals as Schwarz's criterion wants, for points that scatter. Through points: circles, for
+/// few points to a turn.
+enum class SplineLine { smoothed, through_points };
+
+/// A smooth curve along ordered points. Only a start, as its curvature is biased where the wire bends
+/// tightly, or points scatter.
 class SplineStart {
  public:
-  explicit SplineStart(const MeasuredPoints& points);
+  SplineStart(const MeasuredPoints& points, SplineLine how);
   /// A start whose k0 is a spline with so many intervals.
   FitStart with_intervals(Index intervals) const;
   /// Of the position; k0 has no finer detail.

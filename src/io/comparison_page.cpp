@@ -7,6 +7,7 @@
 
 #include "wirepack/core/version.hpp"
 #include "wirepack/io/figure.hpp"
+#include "wirepack/io/output_path.hpp"
 
 #include "atomic_file.hpp"
 
@@ -169,7 +170,7 @@ std::string inline_figure(const std::filesystem::path& file) {
 }
 
 void put(const std::filesystem::path& file, const std::string& text) {
-  replace_file(file, std::vector<char>(text.begin(), text.end()));
+  replace_file(output_file(file, {.inputs = {}, .force = true}), {text.begin(), text.end()});
 }
 
 }  // namespace
@@ -275,6 +276,14 @@ std::string comparison_json(const Comparison& comparison) {
   result["cost"] = costs;
   result["findings"] = findings(comparison);
   return result.dump(2) + "\n";
+}
+
+std::vector<std::string> comparison_files() {
+  std::vector<std::string> files =
+      figure_files({"bend_energy", "twist_energy", "scaled_force", "axis_order", "strand_spacing",
+                    "contacts_per_length", "max_overlap"});
+  for (const char* name : {"comparison.json", "comparison.html"}) files.emplace_back(name);
+  return files;
 }
 
 void write_comparison(const std::filesystem::path& folder, const std::string& title,

@@ -299,6 +299,18 @@ Scenario read_config(const std::filesystem::path& file,
   return parse_config(read_text(file, "a configuration", largest_file), file.string(), overrides);
 }
 
+std::vector<std::filesystem::path> config_inputs(const std::filesystem::path& file,
+                                                 const std::vector<ConfigOverride>& overrides) {
+  std::vector<std::filesystem::path> files{file};
+  const std::string text = read_text(file, "a configuration", largest_file);
+  for (const GivenKey& key : read_config_text(text, file.string(), overrides).keys) {
+    const auto* name = key.value ? std::get_if<std::string>(&*key.value) : nullptr;
+    if (name == nullptr || key.section != "wire" || key.name != "reference_shape") continue;
+    files.push_back(key.overrides ? std::filesystem::path(*name) : file.parent_path() / *name);
+  }
+  return files;
+}
+
 std::string resolved_config(const Scenario& scenario) {
   std::string text;
   std::string_view section;

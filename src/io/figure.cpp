@@ -2,32 +2,55 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/rotation.hpp"
+#include "wirepack/io/output_path.hpp"
 #include "wirepack/observe/spool_model.hpp"
+
+#include "atomic_file.hpp"
 
 namespace wirepack {
 
 namespace {
 
 void write_file(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw FileError(path.string() + ": cannot be written");
+  replace_file(path, std::vector<char>(text.begin(), text.end()));
 }
 
-// Runs gnuplot on NAME.gp inside the folder, without a shell.
-void run_gnuplot(const std::filesystem::path& folder, const std::string& name) {
-  const std::filesystem::path script = folder / (name + ".gp");
+/// A folder beside the figures for gnuplot to draw in, so that no figure is ever half a one.
+class DrawingFolder {
+ public:
+  explicit DrawingFolder(const std::filesystem::path& beside) {
+    std::string name = (beside / ".figure.XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw FileError(beside.string() + ": cannot be written: " + std::strerror(errno));
+    }
+    path_ = name;
+  }
+  ~DrawingFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  DrawingFolder(const DrawingFolder&) = delete;
+  DrawingFolder& operator=(const DrawingFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Runs gnuplot on NAME.gp inside the folder, without a shell. The script is kept at `script`.
+void run_gnuplot(const std::filesystem::path& folder, const std::string& name,
+                 const std::filesystem::path& script) {
   std::array<std::string, 2> words{"gnuplot", name + ".gp"};
   std::array<char*, 3> arguments{words[0].data(), words[1].data(), nullptr};
   posix_spawn_file_actions_t actions;
@@ -58,7 +81,6 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
-  write_file(folder / (name + ".dat"), data);
   std::string script = fmt::format("# draws {0}.png, {0}.pdf and {0}.svg from {0}.dat\n", name);
   const auto add = [&](const std::string& terminal, const std::string& extension) {
     script += fmt::format("set terminal {}\nset output '{}.{}'\n", terminal, name, extension);
@@ -67,8 +89,17 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
   add("pngcairo size " + pixels + " font 'sans,20' linewidth 2", "png");
   add("pdfcairo size " + size + " font 'sans,12'", "pdf");
   add("svg size 800,800 font 'sans,16'", "svg");
-  write_file(folder / (name + ".gp"), script);
-  run_gnuplot(folder, name);
+  const DrawingFolder drawing(folder);
+  write_file(drawing.path() / (name + ".dat"), data);
+  write_file(drawing.path() / (name + ".gp"), script);
+  const auto keep = [&](const std::string& file) {
+    const std::filesystem::path target = output_file(folder / file, {.inputs = {}, .force = true});
+    replace_file(target, read_bytes(drawing.path() / file));
+  };
+  // data and script first: without gnuplot they are what is left
+  for (const char* ending : {".dat", ".gp"}) keep(name + ending);
+  run_gnuplot(drawing.path(), name, folder / (name + ".gp"));
+  for (const char* ending : {".png", ".pdf", ".svg"}) keep(name + ending);
 }
 
 // Points of the centreline, `parts` to an edge, on cubics with the mean tangents at the nodes.
@@ -188,6 +219,15 @@ constexpr const char* curve_style =
     "'#dddddd'\nset border 3\nset tics nomirror\n";
 
 }  // namespace
+
+std::vector<std::string> figure_files(const std::vector<std::string>& names) {
+  std::vector<std::string> files;
+  for (const std::string& name : names) {
+    for (const char* ending : {".dat", ".gp", ".png", ".pdf", ".svg"})
+      files.push_back(name + ending);
+  }
+  return files;
+}
 
 void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame) {

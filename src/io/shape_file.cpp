@@ -75,6 +75,9 @@ std::string shape_text(const ShapeFit& fit, const ShapeOrigin& origin) {
   line(fit.chi_square ? "noise_over_sigma" : "noise", text_of(fit.noise));
   if (fit.chi_square) line("chi_square", text_of(*fit.chi_square));
   line("degrees_of_freedom", std::to_string(fit.degrees_of_freedom));
+  if (!fit.left_out.empty()) line("left_out", std::to_string(fit.left_out.size()));
+  if (fit.planar) line("planar", "true");
+  if (!fit.misfit.empty()) line("misfit", quoted(fit.misfit));
   text += "\n[provenance]\n";
   line("points_file", quoted(origin.points_file));
   line("command_line", quoted(origin.command_line));

@@ -1,5 +1,6 @@
 #include "text_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -27,10 +28,17 @@ std::string read_text(const std::filesystem::path& file, const std::string& what
   }
   std::ifstream in(file, std::ios::binary);
   if (!in) throw InvalidInput(name + ": cannot be opened: " + std::strerror(errno));
-  std::string text(largest + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in.bad()) throw FileError(name + ": reading failed: " + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(in.gcount()));
+  // as much as there is, which may change while it is read
+  std::string text(
+      std::min(largest, static_cast<std::size_t>(std::filesystem::file_size(file))) + 1, '\0');
+  for (std::size_t filled = 0;;) {
+    in.read(text.data() + filled, static_cast<std::streamsize>(text.size() - filled));
+    if (in.bad()) throw FileError(name + ": reading failed: " + std::strerror(errno));
+    filled += static_cast<std::size_t>(in.gcount());
+    const bool all = in.eof() || filled > largest;
+    text.resize(all ? filled : std::min(2 * filled, largest + 1));
+    if (all) break;
+  }
   if (text.size() > largest) {
     throw InvalidInput(name + ": is larger than " + std::to_string(largest / 1'000'000) +
                        " MB, which " + what + " is not");

@@ -69,6 +69,10 @@ void check_reference_shape(const Scenario& scenario, std::vector<std::string>& f
   if (!(scenario.wire.edge_length * sharpest <= 1 + round_off)) {
     text << "wire.edge_length = " << scenario.wire.edge_length << ": must be at most "
          << 1 / sharpest << ", as wire.reference_shape turns by a radian over that";
+    if (sharpest * scenario.wire.radius > 1) {
+      text << "; it bends to a radius of " << 1 / sharpest << ", the wire's own radius is "
+           << scenario.wire.radius << ": are both in the same unit of length?";
+    }
     found.push_back(text.str());
   }
   // lengths are sums of increments: round-off is allowed
@@ -83,6 +87,10 @@ void check_reference_shape(const Scenario& scenario, std::vector<std::string>& f
       text << "any length";
     }
     text << "; must be repeat or extend, or stop.length at most that of the shape";
+    if (shape.table.length() < scenario.wire.radius) {
+      text << "; the wire's radius is " << scenario.wire.radius
+           << ": are both in the same unit of length?";
+    }
     found.push_back(text.str());
   }
 }

@@ -29,7 +29,7 @@ checkpoint_every_seconds = 0
 
 class Fit(ProgramTest):
     def fit(self, points, model, *more, code=0):
-        returned, out, err = self.run_program("fit", points, "--model", model, "-o", "shape.toml", *more)
+        returned, out, err = self.run_program("fit", points, "--model", model, "-o", "shape.toml", "--force", *more)
         self.assertEqual(returned, code, err)
         return out, err
 
@@ -103,12 +103,12 @@ class Fit(ProgramTest):
         self.refuse("1,2,3\n4,5,6\n", "2 points", "at least 4")
         self.refuse("1,2,3\n" * 20, "1 of them different")
         self.refuse("1,2,zero\n", "column 3", "zero")
-        self.refuse("x,y,w\n1,2,3\n", "'w'")
+        self.refuse("x,y,w\n1,2,3\n", "names no column z", "'w'")
         self.refuse("x,y\n1,2\n", "names no column z")
         self.refuse("", "holds no points")
         self.refuse("1,2\n3,4\n", "has 2 columns; must be x, y, z")
         self.refuse("1,2,3,0,0\n", "column 5 (sigma) = 0: must be positive")
-        self.refuse("0,0,0,1\n1,0,0,1\n2,1,0,1\n3,1,0,1\n", "is the fourth column an arc length?")
+        self.refuse("0,0,0,1\n1,0,0,1\n2,1,0,1\n3,1,0,1\n", "shorter than the way between the points", "line 1 and line 3")
         self.refuse(b"\x89HDF\x00", "is not a text file")
         self.refuse(good, "--intervals is for --model spline", more=("--intervals", "3"))
 
@@ -149,6 +149,59 @@ class Fit(ProgramTest):
         for key in ("curvature", "torsion", "radius", "pitch"):
             self.assertAlmostEqual(shape[0][key]["value"], shape[1][key]["value"], 9)
         self.assertAlmostEqual(shape[0]["pitch"]["value"], math.pi, 9)
+
+    def test_layouts_of_other_programs_give_the_same_helix(self):
+        points = [tuple(map(float, line.split(","))) for line in self.helix_text().splitlines()[2:]]
+        rows = [[f"{v:.6f}" for v in p] for p in points]
+        markups = {"markups": [{"type": "Curve", "coordinateSystem": "LPS", "controlPoints": [
+            {"id": str(i), "position": list(p), "positionStatus": "defined"} for i, p in enumerate(points)]}]}
+        comma = [[v.replace(".", ",") for v in row] for row in rows]
+        slicer = "# Markups fiducial file version = 5.0\n# CoordinateSystem = LPS\n"
+        slicer += "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
+        paraview = '"Point ID","Points:0","Points:1","Points:2","Points_Magnitude"\n'
+        layouts = {
+            "slicer.fcsv": slicer + "".join(f"{i},{','.join(r)},0,0,0,1,1,1,0,P-{i},,\n" for i, r in enumerate(rows)),
+            "slicer.mrk.json": json.dumps(markups),
+            "vmtk.dat": "X Y Z MaximumInscribedSphereRadius\n" + "".join(f"{' '.join(r)} 1.2\n" for r in rows),
+            "paraview.csv": paraview + "".join(f"{i},{','.join(r)},3\n" for i, r in enumerate(rows)),
+            "units.csv": "\ufeffx [mm];y [mm];z [mm]\r\n" + "".join(";".join(r) + "\r\n" for r in comma),
+            "tabs.txt": "".join("\t".join(r) + "\n" for r in comma),
+            "blanks.txt": "".join("  ".join(r) + "\n" for r in comma),
+            "quoted.csv": '"x","y","z"\n' + "".join(",".join(f'"{v}"' for v in r) + "\n" for r in comma),
+            "numpy.txt": "# x y z\n" + "".join(" ".join(r) + "\n" for r in rows),
+            "named.csv": "a,b,c,name\n" + "".join(",".join(r) + ",p\n" for r in rows),
+        }
+        for name, text in layouts.items():
+            with self.subTest(name):
+                self.write(name, text.encode())
+                more = ("--columns", "a,b,c") if name == "named.csv" else ()
+                out, err = self.fit(name, "helix", "--json", *more)
+                self.assertAlmostEqual(json.loads(out)["parameters"]["pitch"]["value"], math.pi, 5)
+        self.write("numbers.csv", "".join(f"7,{','.join(r)},8,9,0\n" for r in rows))
+        out, _ = self.fit("numbers.csv", "helix", "--json", "--columns", "2,3,4")
+        self.assertAlmostEqual(json.loads(out)["parameters"]["pitch"]["value"], math.pi, 5)
+
+    def test_layouts_that_cannot_be_read_are_refused_with_their_cause(self):
+        self.refuse("1,5,2,5,3,5\n2,5,1,5,4,5\n", "decimal commas")
+        self.refuse("x,y,z\n1,5,2,5,3,5\n", "decimal commas")
+        self.refuse("x [mm],y [mm],z [cm]\n1,2,3\n", "y is in mm, but z in cm")
+        self.refuse("1,2,3,4,5,6,7\n", "has 7 columns", "--columns")
+        self.refuse("x,y,z\n1,2,3\n", "no column 'r'", more=("--columns", "x,y,r"))
+        self.refuse("x,y,z\n1,2,3\n", "'x' is given twice", more=("--columns", "x,x,z"))
+        self.refuse("x,y,z\n1,2,3\n".encode("utf-16"), "is UTF-16")
+
+    def test_what_the_points_do_not_tell_is_said_and_is_no_nan(self):
+        self.write("line.csv", "".join(f"0,0,{i / 2}\n" for i in range(40)))
+        out, err = self.fit("line.csv", "circle")
+        self.assertIn("straight line", err)
+        shape = (self.folder / "shape.toml").read_text()
+        self.assertNotRegex((out + shape).lower(), r"\bnan\b")
+        self.assertRegex(out, r"curvature +0 +\+- ")
+        self.write("helix.csv", self.helix_text())
+        out, err = self.fit("helix.csv", "circle")
+        self.assertIn("the model does not fit", err)
+        self.assertIn("misfit = ", (self.folder / "shape.toml").read_text())
+        self.assertNotIn("does not fit", self.fit("helix.csv", "helix")[1])
 
     def make_shape(self):
         (self.folder / "shapes").mkdir(exist_ok=True)
@@ -230,6 +283,8 @@ class Fit(ProgramTest):
             good: "the run may insert any length",
             good + "[stop]\nlength = 60": "the run may insert 60",
             good + "reference_shape_beyond = 'end'": 'must be "error" or "repeat" or "extend"',
+            "[wire]\nreference_shape_beyond = 'extend'\nreference_shape = [[0, 0, 300, 0], [1, 0, 300, 0]]":
+                "radius of 0.00333333, the wire's own radius is 1: are both in the same unit",
             good + "reference_shape_beyond = 'extend'\nedge_length = 2.2\n[cavity]\nradius = 10":
                 "wire.edge_length = 2.2: must be at most",
             "[wire]\nreference_shape_beyond = 'extend'": "which is not given",

@@ -18,6 +18,9 @@ std::string comparison_table(const Comparison& comparison);
 /// The same as JSON.
 std::string comparison_json(const Comparison& comparison);
 
+/// What write_comparison() puts in its folder.
+std::vector<std::string> comparison_files();
+
 /// Draws every quantity against the density (NAME.png, .pdf, .svg, .dat, .gp) and writes
 /// comparison.json and comparison.html, one page that needs no other file. Throws FileError.
 void write_comparison(const std::filesystem::path& folder, const std::string& title,

@@ -34,6 +34,11 @@ Scenario parse_config(std::string_view text, const std::string& source,
 Scenario read_config(const std::filesystem::path& file,
                      const std::vector<ConfigOverride>& overrides = {});
 
+/// The files that a configuration is read from: its own, and that of its shape. None of them may be
+/// replaced by a result. Throws like read_config() when the file cannot be read.
+std::vector<std::filesystem::path> config_inputs(const std::filesystem::path& file,
+                                                 const std::vector<ConfigOverride>& overrides = {});
+
 /// The scenario as TOML text with every key written out; parse_config() of it gives an equal
 /// scenario, to the last bit. Throws InvalidInput for a scenario that no configuration can express:
 /// a rest curvature about another axis than the second, or a seed above 2^63 - 1.

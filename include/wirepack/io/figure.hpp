@@ -24,6 +24,10 @@ struct FigureRun {
 /// NAME.svg in the same folder. The script runs on its own: `gnuplot NAME.gp`.
 /// All functions throw FileError when something cannot be written, or gnuplot fails or is missing.
 
+/// What figures of these names put in their folder. Figures that are there are replaced, each as a
+/// whole.
+std::vector<std::string> figure_files(const std::vector<std::string>& names);
+
 /// packing: the wire of a frame as a tube, coloured by bending energy per length over YI / (2 R^2).
 void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame);
