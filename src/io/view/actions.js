@@ -4,6 +4,7 @@ let past = null, frame_rows = null, curves = [];  // the history, and what shows
 
 function set_frame(frame) {
   state.frame = Math.min(frame_count - 1, Math.max(0, frame));
+  redraw(true);
   show_frame();
 }
 
@@ -26,8 +27,6 @@ async function play(on = !playing) {
     if (!playing) break;
     if (state.frame + 1 >= frame_count) play(false);
     else set_frame(state.frame + 1);
-    painter.moving = true;
-    redraw(true);
   }
 }
 

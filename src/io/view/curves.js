@@ -10,6 +10,8 @@ function svg(parent, name, attributes, text) {
   return element;
 }
 
+const round_off = 1e-9;  // energies and forces over their units that are nothing else
+
 // The least and the largest of what is left of `values`; a logarithmic axis has positive ones only.
 function extent(values, log) {
   let low = Infinity, high = -Infinity;
@@ -19,7 +21,8 @@ function extent(values, log) {
     high = Math.max(high, v);
   }
   if (low > high) return log ? [0.1, 1] : [0, 1];
-  if (log) return [Math.max(low, high * 1e-5), high * 1.2];
+  if (log) return [Math.max(low, high * 1e-4), high * 1.2];
+  if (Math.max(Math.abs(low), Math.abs(high)) < round_off) return [0, 1];
   const least = Math.min(0, low);
   return [least, high > least ? high + 0.05 * (high - least) : least + 1];
 }
@@ -114,7 +117,7 @@ function create_curve(figure, history, name, log, go_to) {
       line.setAttribute('x2', x);
       dot.setAttribute('cx', x);
       dot.setAttribute('cy', to_y(ys[row]));
-      readout.textContent = with_unit(ys[row], column.unit);
+      readout.textContent = shown(ys[row]);
       const [low, high] = extent(ys, false);
       picture.setAttribute('aria-label', `${column.label} against packing density from 0 to ${shown(far)}: between ` +
         `${shown(low)} and ${with_unit(high / 1.05, column.unit)}; ${with_unit(ys[row], column.unit)} at ${shown(xs[row])}`);

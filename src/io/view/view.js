@@ -4,7 +4,7 @@ const stage = document.getElementById('stage');
 let scene = null;
 
 const painter = {
-  sample: 0, moving: false, motion_scale: 0.6, last_time: 0, waiting: false, settle: 0, pictures: 0,
+  sample: 0, moving: false, motion_scale: 0.6, last_time: 0, waiting: false, settle: 0, pictures: 0, nodes: 0,
 };
 
 // Units of length from the middle of the picture to its nearer side.
@@ -74,12 +74,11 @@ function paint(now) {
   painter.last_time = now;
   fit_canvas();
   scene.draw(current_view(canvas.width, canvas.height), painter.sample, painter.moving ? painter.motion_scale : 1);
-  ++painter.pictures;
-  document.documentElement.dataset.pictures = painter.pictures;
+  if (painter.nodes > 0) document.documentElement.dataset.pictures = ++painter.pictures;
   if (painter.moving) return;
   if (++painter.sample < scene.samples) {
     next_picture();
-  } else {
+  } else if (painter.nodes === wanted) {
     document.documentElement.dataset.drawn = painter.pictures;
     write_link();
   }
@@ -92,6 +91,7 @@ async function show_nodes() {
   const [xyz, list] = await Promise.all([positions_of(state.frame), shades_of_nodes()]);
   if (wish !== wanted || !scene) return;
   scene.set_nodes(xyz, list);
+  painter.nodes = wish;
   redraw();
 }
 
