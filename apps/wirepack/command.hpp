@@ -30,5 +30,6 @@ Command figures_command(CLI::App& program);
 Command compare_command(CLI::App& program, const std::string& command_line);
 Command analyze_command(CLI::App& program);
 Command fit_command(CLI::App& program, const std::string& command_line);
+Command view_command(CLI::App& program);
 
 }  // namespace wirepack

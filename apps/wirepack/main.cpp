@@ -105,7 +105,8 @@ int run_program(int count, char** arguments) {
                                       figures_command(program),
                                       compare_command(program, shell_text(count, arguments)),
                                       analyze_command(program),
-                                      fit_command(program, shell_text(count, arguments))};
+                                      fit_command(program, shell_text(count, arguments)),
+                                      view_command(program)};
   try {
     program.parse(count, arguments);
   } catch (const CLI::Success& wish) {  // --help, --version
