@@ -18,6 +18,8 @@ namespace {
 // An eigenvalue below this is one of a saddle: a load that is a hundredth of a per cent too high. Rigid
 // motions that cost nothing have eigenvalues of zero, but for rounding.
 constexpr double unstable_below = -1e-4;
+// Of the shift that preconditioners have, which is larger than the curvature of slow bending modes.
+constexpr double shift_share = 1e-4;
 constexpr int lanczos_steps = 40;
 // So often a saddle is left; one that has several directions down is left along one after the other.
 constexpr int most_saddles = 6;
@@ -115,8 +117,10 @@ bool move_down(RodState& state, const HeldUnknowns& held, const EnergyTerms& ene
 }  // namespace
 
 Stability stability_of(const RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                       const EquilibriumOptions& options, SolverWork& work) {
+                       const EquilibriumOptions& preconditioned, SolverWork& work) {
   Stopwatch watch;
+  EquilibriumOptions options = preconditioned;
+  options.shift *= shift_share;
   const FrameChart chart(state, held);
   work.list_builds += energy.prepare(chart.reference());
   Stability result;

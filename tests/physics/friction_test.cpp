@@ -220,5 +220,45 @@ TEST(FirstContact, ATipThatSticksRaisesTheFirstPeakFromTheLoadOfASlidingEndToTha
   EXPECT_LT(hardly.force, stuck.force);
 }
 
+// The highest force of a wire that is fed by these increments from the nozzle on, to a little beyond the
+// far pole, over the load at which a wire whose tip rolls buckles.
+double first_peak_over_rolling_load(double edge_length, double increment) {
+  Scenario scenario = default_scenario(Setup::low_torsion, {cavity_radius});
+  scenario.friction = {FrictionModel::coulomb, 0.2, 0.18, 0.02};
+  scenario.wire.edge_length = edge_length;
+  scenario.insertion.increment = increment;
+  scenario.stop = {};
+  scenario.stop.length = span + 5;
+  QuasistaticPacking packing(scenario);
+  const Stiffness stiff = stiffness(scenario.wire);
+  const double unit = stiff.bend / (span * span);
+  double peak = 0;
+  while (!packing.advance()) peak = std::max(peak, packing.progress().last.force / unit);
+  return peak / with_compression(rolling_load(), {peak, peak * unit / stiff.stretch});
+}
+
+// Nothing holds the tip in the increment in which it comes to the wall: it must be held where it formed its
+// contact, or the stiff wire throws it off the pole before friction begins.
+TEST(FirstContact,
+     the_first_peak_of_a_stuck_tip_is_the_rolling_load_for_coarse_and_fine_increments) {
+  EXPECT_NEAR(first_peak_over_rolling_load(1, 1), 1, 0.01);
+  EXPECT_NEAR(first_peak_over_rolling_load(1, 0.25), 1, 0.01);
+  EXPECT_NEAR(first_peak_over_rolling_load(2, 2), 1, 0.01);
+}
+
+// A free end presses on the wall with a point of contact.
+TEST(FirstContact, the_overlap_of_a_tip_under_a_thrust_is_that_of_a_crossing_on_any_mesh) {
+  for (const double edge_length : {2.0, 1.0, 0.5}) {
+    RodParams params;
+    params.edge_length = edge_length;
+    const WallEnergy wall(params, {10}, 5);
+    const auto count = static_cast<Index>(8 / edge_length);
+    Points nodes = Points::Zero(3, count + 1);
+    for (Index i = 0; i <= count; ++i) nodes(2, i) = -9.1 + edge_length * static_cast<double>(i);
+    const RodState rod = make_rod(nodes, params, {.last_clamped = true});
+    EXPECT_NEAR(wall.forces(rod)[0], 2 * 5 * 0.1, 1e-12) << edge_length;  // 2 a k overlap
+  }
+}
+
 }  // namespace
 }  // namespace wirepack

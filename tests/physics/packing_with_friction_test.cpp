@@ -66,5 +66,27 @@ TEST_P(PackingWithFriction, VanishingFrictionLeavesThePackingAsItIsWithoutAny) {
 INSTANTIATE_TEST_SUITE_P(Setups, PackingWithFriction,
                          ::testing::Values(Setup::low_torsion, Setup::high_torsion));
 
+// The energy of what is left to gain in the last step is below a unit in the last place of the whole:
+// a search that compares energies as sums finds no equilibrium.
+TEST(PackingWithFriction,
+     a_wire_in_a_large_cavity_comes_to_rest_where_its_energy_is_rounded_more_than_it_changes) {
+  Scenario scenario = default_scenario(Setup::high_torsion, {40});
+  scenario.friction = {FrictionModel::coulomb, 0.2, 0.18, 0.02};
+  scenario.imperfection = {0.1, 1.5, 0.1};
+  scenario.wire.edge_length = 2;
+  scenario.insertion.increment = 2;
+  scenario.minimizer.tolerance = 1e-6;
+  scenario.stop = {};
+  scenario.stop.length = 160;
+  QuasistaticPacking packing(scenario);
+  std::optional<StopReason> stop;
+  while (!stop) {
+    stop = packing.advance();
+    ASSERT_LE(packing.progress().last.residual, 1e-6);
+    ASSERT_EQ(packing.progress().last.stable, 1);
+  }
+  EXPECT_EQ(*stop, StopReason::length);
+}
+
 }  // namespace
 }  // namespace wirepack

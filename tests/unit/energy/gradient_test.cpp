@@ -99,6 +99,23 @@ TEST(EnergyGradient, WallMatchesDifferences) {
   expect_exact_inlet_derivative(state, energy);
 }
 
+TEST(EnergyGradient, of_the_wall_at_a_free_end_that_leans_matches_differences) {
+  const RodParams params = curved_params();
+  WallEnergy energy(params, SphericalCavity{10}, 5);
+  for (const double lean : {0.0, 0.5, 1.2}) {
+    Points nodes(3, 5);
+    for (Index i = 0; i < 5; ++i) {
+      const auto along = static_cast<double>(i);
+      nodes.col(i) = Vec3(0, 0, 9.3) - along * Vec3(std::sin(lean), 0, std::cos(lean));
+    }
+    const RodState state = make_rod(nodes, params, {.last_clamped = true});
+    const GradientCheck check = check_gradient(
+        state, HeldUnknowns::none(state), EnergyTerms{energy}, 0.1 * small_offset(state, 7), 1e-6);
+    EXPECT_GT(check.largest_derivative, 0.1);
+    EXPECT_LT(check.relative_error, relative_tolerance);
+  }
+}
+
 TEST(EnergyGradient, LoadsMatchDifferences) {
   const RodParams params = curved_params();
   const RodState state = random_rod(12, params, {}, 9);

@@ -157,6 +157,17 @@ TEST(Hessian, OfTheWallIsExact) {
   expect_exact_model(bent_rod(params, {.last_clamped = true}), energy);
 }
 
+TEST(Hessian, of_the_wall_at_a_free_end_that_leans_is_exact) {
+  const RodParams params = curved_params();
+  WallEnergy energy(params, SphericalCavity{10}, 5);
+  Points nodes(3, 5);
+  for (Index i = 0; i < 5; ++i) {
+    nodes.col(i) = Vec3(0.3, -0.2, 9.3) - static_cast<double>(i) * Vec3(0.6, 0, 0.8);
+  }
+  const RodState state = make_rod(nodes, params, {.last_clamped = true});
+  expect_exact_model(state, energy, HeldUnknowns::none(state));
+}
+
 // Two legs of one rod that press on each other in their middle, away from the ends.
 RodState pressed_legs(double angle) {
   Points nodes(3, 24);
