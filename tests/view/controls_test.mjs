@@ -9,10 +9,18 @@ const holder = with_browser();
 const picture = async (page) => luminance(holder.browser, await page.locator('#stage').screenshot());
 const differing = (a, b) => a.filter((v, k) => Math.abs(v - b[k]) > 12).length / a.length;
 
+// The stage with nothing on it but the wire.
+const bare = (page) => page.evaluate(() => {
+  for (const part of document.querySelectorAll('#legend, .views')) part.style.display = 'none';
+  state.outline = false;
+  redraw();
+});
+
 test('the picture is not blank, and nothing is asked of a network', async () => {
   const page = await open(holder.browser, 'small.html');
   await drawn(page);
-  await page.evaluate(() => { for (const part of document.querySelectorAll('#legend, .views')) part.style.display = 'none'; });
+  await bare(page);
+  await drawn(page);
   assert.ok(standard_deviation(await picture(page)) > 8);
   assert.deepEqual(page.requests.filter((url) => !url.startsWith('file:')), []);
   assert.deepEqual(page.complaints, []);
@@ -21,8 +29,8 @@ test('the picture is not blank, and nothing is asked of a network', async () => 
 test('a canvas without its wire would be found blank', async () => {
   const page = await open(holder.browser, 'small.html');
   await drawn(page);
+  await bare(page);
   await page.evaluate(() => {
-    for (const part of document.querySelectorAll('#legend, .views')) part.style.display = 'none';
     scene.set_nodes(new Float32Array(3), new Float32Array(1));
     redraw();
   });
@@ -149,12 +157,12 @@ test('a cut takes away what lies beyond and nothing else', async () => {
 test('the saved picture has the chosen size and the look of the screen', async () => {
   const page = await open(holder.browser, 'small.html');
   await drawn(page);
-  await page.locator('#factor').selectOption('3');
-  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('#save').click()]);
+  await page.locator('#factor').selectOption('2');
+  const [download] = await Promise.all([page.waitForEvent('download', {timeout: 120000}), page.locator('#save').click()]);
   const png = await readFile(await download.path());
   const stage = await page.locator('#stage').boundingBox();
-  assert.equal(png.readUInt32BE(16), 3 * Math.round(stage.width));
-  assert.equal(png.readUInt32BE(20), 3 * Math.round(stage.height));
+  assert.equal(png.readUInt32BE(16), 2 * Math.round(stage.width));
+  assert.equal(png.readUInt32BE(20), 2 * Math.round(stage.height));
   assert.match(download.suggestedFilename(), /^small_\d+\.png$/);
   const saved = standard_deviation(await luminance(holder.browser, png));
   const seen = standard_deviation(await picture(page));

@@ -51,7 +51,7 @@ test('a ring cut through its axis shows two discs of the sections of a torus', a
 test('a ring cut along its plane, half a radius above the middle, shows a band of width 2 a cos 30', async () => {
   const page = await open(holder.browser, 'ring.html');
   await drawn(page);
-  await show(page, {...only_the_face, cut_normal: [0, 1, 0], cut_at: 0.5, cut_side: 1});
+  await show(page, {...only_the_face, cut_normal: [0, 1, 0], cut_at: 0.5, cut_side: 1, zoom: 1.2});
   await page.keyboard.press('n');
   await drawn(page);
   expect_area(await drawn_area(page), 2 * Math.PI * 6 * Math.sqrt(3));

@@ -48,7 +48,7 @@ export async function open(browser, name, {hash = '', width = 1100, height = 700
 }
 
 // Until the picture has all of its samples.
-export const drawn = (page) => page.waitForSelector('html[data-drawn]', {state: 'attached', timeout: 60000});
+export const drawn = (page) => page.waitForSelector('html[data-drawn]', {state: 'attached', timeout: 120000});
 
 // Changes the state as a link does, and waits for its picture.
 export async function show(page, changes) {

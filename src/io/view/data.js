@@ -73,7 +73,8 @@ function rows_of_frames(history) {
 function shown(value, digits = 3) {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e5)) return value.toExponential(digits - 1).replace('e+', 'e');
-  return String(Number(value.toPrecision(digits)));
+  const rounded = Number(value.toPrecision(digits));
+  if (size !== 0 && (size < 1e-3 || size >= 1e5)) return rounded.toExponential().replace('e+', 'e');
+  return String(rounded);
 }
 const with_unit = (value, unit) => shown(value) + (unit && unit !== '1' ? ' ' + unit : '');

@@ -58,7 +58,7 @@ function new_buffers(gl, width, height, mean_format) {
   };
   const colours = new_texture(gl, gl.RGBA8, width, height, gl.NEAREST);
   const normals = new_texture(gl, gl.RGBA8, width, height, gl.NEAREST);
-  const depths = new_texture(gl, gl.DEPTH_COMPONENT24, width, height, gl.NEAREST);
+  const depths = new_texture(gl, gl.DEPTH_COMPONENT32F, width, height, gl.NEAREST);
   const mean = new_texture(gl, mean_format, width, height, gl.LINEAR);
   const seen = target([[gl.COLOR_ATTACHMENT0, colours], [gl.COLOR_ATTACHMENT1, normals], [gl.DEPTH_ATTACHMENT, depths]]);
   gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);

@@ -34,10 +34,27 @@ function read_link() {
     if (!(key in saved) || !same_kind(start[key], saved[key])) continue;
     state[key] = saved[key];
   }
+  mend(start);
+}
+
+// Puts what a link cannot mean back to how it starts.
+function mend(start) {
+  const back = (...keys) => keys.forEach((key) => { state[key] = start[key]; });
   state.frame = Math.min(frame_count - 1, Math.max(0, Math.round(state.frame)));
-  if (!fields[state.field]) state.field = 0;
-  if (!maps[state.map]) state.map = start.map;
+  state.zoom = Math.min(200, Math.max(0.3, state.zoom));
+  if (!fields[state.field]) back('field');
+  if (!Object.hasOwn(maps, state.map)) back('map');
+  if (Math.hypot(...state.turn) < 1e-3) back('turn');
+  if (Math.hypot(...state.cut_normal) < 1e-3 || !(Object.hasOwn(axes, state.cut_axis) || state.cut_axis === 'view')) {
+    back('cut_normal', 'cut_axis');
+  }
   state.turn = unit(state.turn);
+  state.cut_normal = unit(state.cut_normal);
+  state.cut_side = state.cut_side < 0 ? -1 : 1;
+  if (!(state.range[0] < state.range[1]) || (state.log && state.range[0] <= 0)) {
+    state.log = fields[state.field].logarithmic;
+    state.range = fields[state.field].shown.slice();
+  }
 }
 
 function same_kind(a, b) {

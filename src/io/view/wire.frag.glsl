@@ -62,6 +62,6 @@ void main() {
   normal = vec4(face ? plane.xyz : out_of_axis / (radius * max(distance, 1e-6)), distance);
   normal.xyz = 0.5 * normal.xyz + 0.5;
   // Where strands overlap, a point of the plane belongs to the nearer axis.
-  float behind = face ? 1e-3 * radius * distance : 0.0;
+  float behind = face ? 4e-3 * radius * distance : 0.0;
   gl_FragDepth = 0.5 - 0.5 * (point.z - behind) / depth;
 }
