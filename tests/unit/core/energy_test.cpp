@@ -8,17 +8,20 @@ namespace wirepack {
 namespace {
 
 // As many terms as a large packing has nodes, with its energy.
-constexpr int count = 20000;
+constexpr Index count = 20000;
 
 std::vector<double> large_packing() {
   std::vector<double> terms(count);
-  for (int k = 0; k < count; ++k) terms[static_cast<std::size_t>(k)] = 0.05 * (1 + std::sin(k));
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    terms[k] = 0.05 * (1 + std::sin(static_cast<double>(k)));
+  }
   return terms;
 }
 
 Energy sum_in_lanes(const std::vector<double>& terms) {
   EnergySum sum;
-  for_each_in_lanes(0, count, [&]<class T>(Index j) { sum.add(load<T>(terms.data() + j)); });
+  for_each_in_lanes(0, static_cast<Index>(terms.size()),
+                    [&]<class T>(Index j) { sum.add(load<T>(terms.data() + j)); });
   return sum.total();
 }
 
