@@ -40,7 +40,7 @@ struct BallEnergy {
 
 int main() {
   Scenario scenario = default_scenario(Setup::low_torsion, {10});
-  scenario.stop.density = 0.1;
+  scenario.stop.density = 0.05;
   const BallEnergy ball{scenario.wire, 5, scenario.wall_stiffness};
   QuasistaticPacking packing(scenario, {ball});
   std::optional<StopReason> stop;
