@@ -13,9 +13,9 @@
 
 namespace wirepack {
 
-/// Collects rows and frames of a run and keeps the result file: see "The result file" in
-/// data/README.md. The file is never open between two calls, and is only ever replaced as a whole,
-/// so it can be read at any moment of the run, also after a kill -9 or on a full disk.
+/// Collects rows and frames of a run and keeps the result file: see data/docs/result_file.md. The
+/// file is never open between two calls, and is only ever replaced as a whole, so it can be read at
+/// any moment of the run, also after a kill -9 or on a full disk.
 class Hdf5Recorder {
  public:
   /// Begins a new result; a file of that name is replaced by the first flush().
