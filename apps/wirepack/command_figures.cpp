@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "wirepack/core/error.hpp"
@@ -9,6 +11,7 @@
 #include "wirepack/io/output_path.hpp"
 
 #include "command.hpp"
+#include "frame_choice.hpp"
 
 namespace wirepack {
 
@@ -17,11 +20,28 @@ namespace {
 struct Options {
   std::vector<std::string> results;
   std::string folder;
+  std::optional<double> density;
+  std::optional<std::int64_t> frame;
   bool force = false;
 };
 
+/// The frame that pictures show: the last one, or what was asked for.
+PackingFrame chosen_frame(const Hdf5Reader& reader, const std::string& name,
+                          const Options& options) {
+  const std::vector<std::int64_t> frames = reader.frame_increments();
+  if (options.density) {
+    return reader.frame(frame_at_density(reader, name, reader.history(), *options.density));
+  }
+  if (!options.frame) return reader.frame(frames.back());
+  if (std::find(frames.begin(), frames.end(), *options.frame) == frames.end()) {
+    throw InvalidInput(fmt::format("--frame {}: {} has frames of increments {} to {}",
+                                   *options.frame, name, frames.front(), frames.back()));
+  }
+  return reader.frame(*options.frame);
+}
+
 int draw(const Options& options) {
-  const std::vector<std::string> names{"packing", "force", "energy"};
+  const std::vector<std::string> names{"packing", "section", "force", "energy"};
   output_folder(options.folder, figure_files(names),
                 {{options.results.begin(), options.results.end()}, options.force});
   std::vector<FigureRun> runs;
@@ -34,10 +54,11 @@ int draw(const Options& options) {
     if (runs.back().history.empty() || frames.empty()) {
       throw FileError(result + ": holds no frame yet");
     }
-    if (runs.size() == 1) last = reader.frame(frames.back());
+    if (runs.size() == 1) last = chosen_frame(reader, result, options);
   }
   const std::filesystem::path folder = options.folder;
   draw_packing(folder, runs.front().scenario, last);
+  draw_section(folder, runs.front().scenario, last);
   draw_force(folder, runs);
   draw_energy(folder, runs);
   for (const std::string& name : names) fmt::print("{}\n", (folder / (name + ".png")).string());
@@ -48,12 +69,17 @@ int draw(const Options& options) {
 
 Command figures_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "figures", "Figures of runs: the packing of the first, force and energy of all");
+      "figures", "Figures of runs: packing and section of the first, force and energy of all");
   const auto options = std::make_shared<Options>();
   app->add_option("RESULT.h5", options->results, "Results of wirepack run")->required();
   app->add_option("-o,--output", options->folder,
                   "Folder for PNG, PDF, SVG and the data behind them")
       ->required();
+  CLI::Option* density = app->add_option("--density", options->density,
+                                         "Shows the frame nearest to this packing density")
+                             ->check(CLI::Range(0.0, 1.0));
+  app->add_option("--frame", options->frame, "Shows the frame of this increment")
+      ->excludes(density);
   app->add_flag("--force", options->force, "Replaces figures that are there");
   app->footer("Example: wirepack figures quickstart.h5 -o figures");
   return {app, [options] { return draw(*options); }};

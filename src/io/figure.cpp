@@ -129,7 +129,7 @@ SmoothLine smooth_line(const Points& nodes, const Eigen::VectorXd& colour, Index
 // Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline, and one of no
 // radius to close each end.
 std::string tube(const SmoothLine& line, double radius) {
-  constexpr int around = 12;
+  constexpr int around = 24;
   std::string text = "# x y z colour\n";
   const Index n = line.points.cols();
   const auto direction = [&](Index k) -> Vec3 {
@@ -215,7 +215,8 @@ std::string height(const std::vector<FigureRun>& runs, Value&& value) {
 }
 
 constexpr const char* curve_style =
-    "set xlabel 'packing density {/Symbol f}'\nset key top left Left reverse\nset grid lc rgb "
+    "set xlabel 'packing density {/Symbol f}'\nset key below Left reverse maxcols 1\nset grid lc "
+    "rgb "
     "'#dddddd'\nset border 3\nset tics nomirror\n";
 
 }  // namespace
@@ -229,10 +230,16 @@ std::vector<std::string> figure_files(const std::vector<std::string>& names) {
   return files;
 }
 
-void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
-                  const PackingFrame& frame) {
+namespace {
+
+constexpr const char* colours =
+    "set palette defined (0 '#2b5c8a', 0.35 '#6fb1c8', 0.6 '#f2e2b0', 1 '#b5342c')\n"
+    "set colorbox horizontal user origin 0.2,0.1 size 0.6,0.02\nset cbtics\n"
+    "set cblabel 'bending energy per length / (YI / 2R^2)'\n";
+
+// Bending energy per length at the nodes over YI / (2 R^2).
+Eigen::VectorXd energy_colours(const Scenario& scenario, const PackingFrame& frame) {
   const Index n = frame.rod.node_count();
-  const double radius = scenario.cavity.radius;
   const double unit = units_of(scenario).scaled_force() / 2;
   const auto edge = [&](Index j) {
     return (frame.rod.nodes.col(j + 1) - frame.rod.nodes.col(j)).norm();
@@ -242,33 +249,97 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
     const double length = ((i > 0 ? edge(i - 1) : 0) + (i + 1 < n ? edge(i) : 0)) / 2;
     colour[i] = frame.bend_energy[i] / (length * unit);
   }
-  // the range of colours leaves out the few largest values
-  std::vector<double> sorted(colour.data(), colour.data() + n);
+  return colour;
+}
+
+// The range of colours leaves out the few largest values.
+std::string colour_range(const Eigen::VectorXd& colour) {
+  std::vector<double> sorted(colour.data(), colour.data() + colour.size());
   std::sort(sorted.begin(), sorted.end());
-  const double top =
-      std::max(1e-3, sorted[static_cast<std::size_t>(0.98 * static_cast<double>(n - 1))]);
-  const Index parts = n < 2000 ? 3 : 1;
+  const auto last = static_cast<double>(sorted.size() - 1);
+  const double top = std::max(1e-3, sorted[static_cast<std::size_t>(0.98 * last)]);
+  return fmt::format("set cbrange [0:{:.3g}]\n", top);
+}
+
+// Ellipses in which the plane y = 0 cuts the edges: x z, both diameters, the angle of the long one, colour.
+std::string section_ellipses(const Points& nodes, const Eigen::VectorXd& colour, double radius) {
+  std::string text = "# x z long_diameter short_diameter angle colour\n";
+  for (Index j = 0; j + 1 < nodes.cols(); ++j) {
+    const Vec3 a = nodes.col(j), b = nodes.col(j + 1);
+    if ((a.y() < 0) == (b.y() < 0)) continue;
+    const Vec3 t = (b - a).normalized(), r = a - a.y() / (b.y() - a.y()) * (b - a);
+    // where the wire lies in the plane, its ellipse is not longer than ten diameters
+    const double steep = std::max(0.1, std::abs(t.y()));
+    text += fmt::format("{:.4f} {:.4f} {:.4f} {:.4f} {:.2f} {:.4g}\n", r.x(), r.z(),
+                        2 * radius / steep, 2 * radius, std::atan2(t.z(), t.x()) * 180 / pi,
+                        (colour[j] + colour[j + 1]) / 2);
+  }
+  return text;
+}
+
+// The great circle across the line of sight of `set view 65,30`.
+std::string cavity_outline(double radius) {
+  const double tilt = 65 * pi / 180, turn = 30 * pi / 180;
+  const Vec3 right(std::cos(turn), std::sin(turn), 0);
+  const Vec3 up(-std::sin(turn) * std::cos(tilt), std::cos(turn) * std::cos(tilt), std::sin(tilt));
+  std::string text = "$cavity << EOD\n";
+  for (int k = 0; k <= 120; ++k) {
+    const Vec3 r = radius * (std::cos(pi * k / 60) * right + std::sin(pi * k / 60) * up);
+    text += fmt::format("{:.4f} {:.4f} {:.4f}\n", r.x(), r.y(), r.z());
+  }
+  return text + "EOD\n";
+}
+
+}  // namespace
+
+void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
+                  const PackingFrame& frame) {
+  const double radius = scenario.cavity.radius;
+  const Eigen::VectorXd colour = energy_colours(scenario, frame);
+  const Index parts = frame.rod.node_count() < 2000 ? 3 : 1;
   const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
   const std::string commands =
       "unset border\nunset tics\nunset key\nset view 65,30,1.5\nset view equal xyz\n"
       "set xrange " +
-      range + "\nset yrange " + range + "\nset zrange " + range +
-      fmt::format("\nset cbrange [0:{:.3g}]\n", top) +
-      "set palette defined (0 '#2b5c8a', 0.35 '#6fb1c8', 0.6 '#f2e2b0', 1 '#b5342c')\n"
-      "set colorbox horizontal user origin 0.2,0.1 size 0.6,0.02\nset cbtics\n"
-      "set cblabel 'bending energy per length / (YI / 2R^2)'\n"
-      "set pm3d depthorder lighting primary 0.45 specular 0.25\n"
-      "splot 'packing.dat' using 1:2:3:4 with pm3d\n";
+      range + "\nset yrange " + range + "\nset zrange " + range + "\n" + colour_range(colour) +
+      colours + "set pm3d depthorder lighting primary 0.45 specular 0.25\n" +
+      cavity_outline(radius) +
+      "splot 'packing.dat' using 1:2:3:4 with pm3d, $cavity with lines lw 0.7 lc rgb '#999999'\n";
   draw(folder, "packing", tube(smooth_line(frame.rod.nodes, colour, parts), scenario.wire.radius),
        commands, "12cm,12cm", "1200,1200");
 }
 
+void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
+                  const PackingFrame& frame) {
+  const double radius = scenario.cavity.radius;
+  const Eigen::VectorXd colour = energy_colours(scenario, frame);
+  const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
+  const std::string commands =
+      "unset border\nunset tics\nunset key\nset size ratio -1\nset lmargin at screen 0.05\n"
+      "set rmargin at screen 0.95\nset bmargin at screen 0.14\nset tmargin at screen 0.98\n"
+      "set xrange " +
+      range + "\nset yrange " + range + "\n" + colour_range(colour) + colours +
+      fmt::format("set object 1 circle at 0,0 size {} fs empty border lc rgb '#999999'\n", radius) +
+      "plot 'section.dat' using 1:2:3:4:5:6 with ellipses units xx fs solid 1 border lc rgb "
+      "'#444444' "
+      "fc palette\n";
+  draw(folder, "section", section_ellipses(frame.rod.nodes, colour, scenario.wire.radius), commands,
+       "12cm,12cm", "1200,1200");
+}
+
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+  // The peak before the first contact is many times what follows: a log axis shows both.
+  double top = 1;
+  for (const FigureRun& run : runs) {
+    for (const HistoryRow& row : run.history) top = std::max(top, row.scaled_force);
+  }
   draw(folder, "force", curves(runs),
-       curve_style + std::string("set ylabel 'injection force F R^2 / YI'\n") +
-           height(runs, [](const Scenario&, const HistoryRow& row) { return row.scaled_force; }) +
+       curve_style +
+           fmt::format("set ylabel 'injection force F R^2 / YI'\nset logscale y\n"
+                       "set yrange [0.1:{:.3g}]\n",
+                       1.5 * top) +
            plot(runs, "force", 2, "") + "\n",
-       "14cm,10cm", "1200,860");
+       "14cm,12cm", "1200,1030");
 }
 
 void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
@@ -284,7 +355,7 @@ void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
                     return row.energy_bend / units_of(scenario).scaled_energy();
                   }) +
            plot(runs, "energy", 3, "bending, ") + twist + "\n",
-       "14cm,10cm", "1200,860");
+       "14cm,12cm", "1200,1030");
 }
 
 void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
@@ -307,14 +378,15 @@ void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
   const Index every = std::max<Index>(1, points.count() / 1000);
   const std::string commands = fmt::format(
       "set multiplot\n"
-      "set origin 0,0.33\nset size 1,0.67\nset view equal xyz\nset view 60,30,1.3\n"
-      "set xyplane relative 0.05\nset xlabel 'x'\nset ylabel 'y'\nset zlabel 'z'\n"
+      "set origin 0,0.36\nset size 1,0.62\nset view equal xyz\nset view 60,30,1.05\n"
+      "set xyplane relative 0\nset border 4095 lc rgb '#bbbbbb'\nset xlabel 'x'\nset ylabel "
+      "'y'\nset zlabel 'z'\n"
       "set xtics {0}\nset ytics {0}\nset ztics {0}\nset key at screen 0.95,0.97\n"
       "splot 'fit.dat' index 0 every {1} using 1:2:3 with points pt 7 ps 0.5 lc rgb '#2b5c8a' "
       "title 'points', '' index 1 using 1:2:3 with lines lw 1.5 lc rgb '#b5342c' title 'fit'\n"
-      "set origin 0,0\nset size 1,0.33\nset xtics autofreq\nset ytics autofreq\n"
+      "set origin 0,0\nset size 1,0.34\nset xtics autofreq\nset ytics autofreq\nset yrange [0:*]\n"
       "set key inside top right\nset xlabel 'arc length'\nset ylabel 'distance'\n"
-      "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
+      "set grid lc rgb '#dddddd'\nset border 3 lc rgb 'black'\nset tics nomirror\n"
       "plot 'fit.dat' index 0 every {1} using 4:5 with points pt 7 ps 0.4 lc rgb '#2b5c8a' "
       "notitle, "
       "{2} with lines dashtype 2 lc rgb '#b5342c' title 'root mean square'\n"

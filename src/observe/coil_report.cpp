@@ -21,7 +21,9 @@ CoilReport coil_report(const RodState& state, const Vec3& feed) {
     sense = along;
   }
   report.twist = total_twist(state);
-  report.writhe = writhe(state);
+  const CrossingSums crossings = crossing_sums(state.nodes, state.ends.closed);
+  report.writhe = crossings.writhe;
+  report.average_crossing_number = crossings.average_crossing_number;
   return report;
 }
 

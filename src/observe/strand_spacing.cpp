@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <vector>
 
@@ -13,12 +14,20 @@ namespace {
 
 constexpr double steep = 0.7;
 constexpr double first_shell = 1.5;  // the second shell of a hexagonal lattice is at sqrt(3)
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Vec2 = Eigen::Vector2d;
 
-Eigen::Matrix2Xd crossings(const RodState& state, const Vec3& normal) {
+/// Where strands pass a plane, in its own axes.
+struct Section {
+  Eigen::Matrix2Xd points;
+  Points tangents;
+};
+
+Section section(const RodState& state, const Vec3& normal) {
   const Quat to_plane = frame_with_tangent(normal).conjugate();
   std::vector<Vec2> found;
+  std::vector<Vec3> tangents;
   for (Index j = 0; j < state.edge_count(); ++j) {
     const Vec3 a = to_plane * Vec3(state.nodes.col(j));
     const Vec3 b = to_plane * Vec3(state.nodes.col(next_node(state, j)));
@@ -26,74 +35,113 @@ Eigen::Matrix2Xd crossings(const RodState& state, const Vec3& normal) {
     const Vec3 e = b - a;
     if (std::abs(e.z()) <= steep * e.norm()) continue;
     found.push_back((a - a.z() / e.z() * e).head<2>());
+    tangents.push_back(e.normalized() * (e.z() > 0 ? 1 : -1));
   }
-  Eigen::Matrix2Xd points(2, static_cast<Index>(found.size()));
-  for (Index i = 0; i < points.cols(); ++i) points.col(i) = found[static_cast<std::size_t>(i)];
-  return points;
+  Section cut{Eigen::Matrix2Xd(2, static_cast<Index>(found.size())),
+              Points(3, static_cast<Index>(found.size()))};
+  for (Index i = 0; i < cut.points.cols(); ++i) {
+    cut.points.col(i) = found[static_cast<std::size_t>(i)];
+    cut.tangents.col(i) = tangents[static_cast<std::size_t>(i)];
+  }
+  return cut;
 }
 
-// Whether no other point lies inside the circle through three.
-bool is_delaunay(const Eigen::Matrix2Xd& p, Index i, Index j, Index k) {
-  const Vec2 b = p.col(j) - p.col(i), c = p.col(k) - p.col(i);
-  const double twice_area = b.x() * c.y() - b.y() * c.x();
-  if (std::abs(twice_area) < 1e-9 * (b.squaredNorm() + c.squaredNorm())) return false;
-  const Vec2 centre = Vec2(c.y() * b.squaredNorm() - b.y() * c.squaredNorm(),
-                           b.x() * c.squaredNorm() - c.x() * b.squaredNorm()) /
-                      (2 * twice_area);
-  const double square = centre.squaredNorm() * (1 - 1e-9);
-  for (Index m = 0; m < p.cols(); ++m) {
-    if (m == i || m == j || m == k) continue;
-    if ((p.col(m) - p.col(i) - centre).squaredNorm() < square) return false;
+// Two points share an edge of the Delaunay triangulation when a circle through both has no other one
+// inside: when an interval of places of its centre, on the line half-way between them, is left.
+bool is_delaunay_edge(const Eigen::Matrix2Xd& p, Index i, Index j) {
+  const Vec2 middle = (p.col(i) + p.col(j)) / 2, half = (p.col(j) - p.col(i)) / 2;
+  const Vec2 normal = Vec2(-half.y(), half.x()).normalized();
+  double low = -infinity, high = infinity;
+  for (Index k = 0; k < p.cols(); ++k) {
+    if (k == i || k == j) continue;
+    const Vec2 d = p.col(k) - middle;
+    const double side = d.dot(normal), excess = d.squaredNorm() - half.squaredNorm();
+    if (std::abs(side) < 1e-9 * half.norm()) {
+      if (excess < 0) return false;  // between them
+      continue;
+    }
+    (side > 0 ? high : low) =
+        side > 0 ? std::min(high, excess / (2 * side)) : std::max(low, excess / (2 * side));
   }
-  return true;
+  const bool alone = low == -infinity && high == infinity;
+  return !alone && low <= high + 1e-9 * half.norm();
+}
+
+struct Neighbours {
+  Index first, second;
+};
+
+std::vector<Neighbours> neighbours(const Eigen::Matrix2Xd& points) {
+  const Index n = points.cols();
+  Eigen::VectorXd nearest(n);
+  for (Index i = 0; i < n; ++i) {
+    Eigen::VectorXd distances = (points.colwise() - points.col(i)).colwise().norm();
+    distances[i] = infinity;
+    nearest[i] = distances.minCoeff();
+  }
+  std::vector<Neighbours> result;
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = i + 1; j < n; ++j) {
+      const double distance = (points.col(i) - points.col(j)).norm();
+      if (distance > first_shell * std::max(nearest[i], nearest[j])) continue;
+      if (is_delaunay_edge(points, i, j)) result.push_back({i, j});
+    }
+  }
+  return result;
+}
+
+// Adds the sums, not the means.
+void add_spacing(const Section& cut, StrandSpacing& sums) {
+  const Index n = cut.points.cols();
+  std::vector<std::complex<double>> order(static_cast<std::size_t>(n));
+  std::vector<int> count(static_cast<std::size_t>(n), 0);
+  const auto see = [&](Index from, const Vec3& to) {
+    const Quat frame = frame_with_tangent(cut.tangents.col(from));
+    const Vec3 across = frame.conjugate() * to;
+    order[static_cast<std::size_t>(from)] +=
+        std::polar(1.0, 6 * std::atan2(across.y(), across.x()));
+    ++count[static_cast<std::size_t>(from)];
+  };
+  for (const auto& [i, j] : neighbours(cut.points)) {
+    Vec3 to(0, 0, 0);
+    to.head<2>() = cut.points.col(j) - cut.points.col(i);
+    const Vec3 along = (cut.tangents.col(i) + cut.tangents.col(j)).normalized();
+    sums.mean += to.norm();
+    sums.across += (to - to.dot(along) * along).norm();
+    ++sums.pairs;
+    see(i, to);
+    see(j, -to);
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (count[i] < 3) continue;
+    sums.hexagonal_order += std::abs(order[i]) / count[i];
+    ++sums.ordered;
+  }
+}
+
+StrandSpacing means(StrandSpacing sums) {
+  if (sums.pairs > 0) {
+    sums.mean /= static_cast<double>(sums.pairs);
+    sums.across /= static_cast<double>(sums.pairs);
+  }
+  if (sums.ordered > 0) sums.hexagonal_order /= static_cast<double>(sums.ordered);
+  return sums;
 }
 
 }  // namespace
 
 StrandSpacing delaunay_spacing(const Eigen::Matrix2Xd& points) {
-  const Index n = points.cols();
-  Eigen::MatrixXi triangles = Eigen::MatrixXi::Zero(n, n);  // on each edge i < j
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = i + 1; j < n; ++j) {
-      for (Index k = j + 1; k < n; ++k) {
-        if (!is_delaunay(points, i, j, k)) continue;
-        ++triangles(i, j);
-        ++triangles(j, k);
-        ++triangles(i, k);
-      }
-    }
-  }
-  Eigen::VectorXd nearest(n);
-  for (Index i = 0; i < n; ++i) {
-    Eigen::VectorXd distances = (points.colwise() - points.col(i)).colwise().norm();
-    distances[i] = std::numeric_limits<double>::infinity();
-    nearest[i] = distances.minCoeff();
-  }
-  StrandSpacing spacing;
-  for (Index i = 0; i < n; ++i) {
-    for (Index j = i + 1; j < n; ++j) {
-      if (triangles(i, j) == 0) continue;
-      const double reach = first_shell * std::max(nearest[i], nearest[j]);
-      if ((points.col(i) - points.col(j)).norm() > reach) continue;
-      spacing.mean += (points.col(i) - points.col(j)).norm();
-      ++spacing.pairs;
-    }
-  }
-  if (spacing.pairs > 0) spacing.mean /= static_cast<double>(spacing.pairs);
-  return spacing;
+  StrandSpacing sums;
+  add_spacing({points, Vec3::UnitZ().replicate(1, points.cols())}, sums);
+  return means(sums);
 }
 
 StrandSpacing strand_spacing(const RodState& state, const Points& normals) {
-  StrandSpacing total;
-  double sum = 0;
+  StrandSpacing sums;
   for (Index k = 0; k < normals.cols(); ++k) {
-    const Vec3 normal = normals.col(k).normalized();
-    const StrandSpacing part = delaunay_spacing(crossings(state, normal));
-    sum += part.mean * static_cast<double>(part.pairs);
-    total.pairs += part.pairs;
+    add_spacing(section(state, normals.col(k).normalized()), sums);
   }
-  if (total.pairs > 0) total.mean = sum / static_cast<double>(total.pairs);
-  return total;
+  return means(sums);
 }
 
 StrandSpacing strand_spacing(const RodState& state) {

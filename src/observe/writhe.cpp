@@ -3,8 +3,9 @@
 #include <cassert>
 #include <cmath>
 #include <complex>
-#include <numeric>
+#include <vector>
 
+#include "wirepack/core/threads.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 
 namespace wirepack {
@@ -26,19 +27,31 @@ double solid_angle(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q
 
 }  // namespace
 
-double writhe(const Points& nodes, bool closed) {
+CrossingSums crossing_sums(const Points& nodes, bool closed) {
   const Index n = nodes.cols();
   const Index edges = closed ? n : n - 1;
-  double sum = 0;
-  for (Index i = 0; i < edges; ++i) {
-    const Vec3 p0 = nodes.col(i), p1 = nodes.col((i + 1) % n);
-    for (Index j = i + 2; j < edges; ++j) {
-      if (closed && i == 0 && j == edges - 1) continue;  // neighbours span no angle
-      sum += solid_angle(p0, p1, nodes.col(j), nodes.col((j + 1) % n));
+  std::vector<CrossingSums> of_edge(static_cast<std::size_t>(edges));  // with later ones
+  for_each_tile(edges, 16, true, [&](Index start, Index end) {
+    for (Index i = start; i < end; ++i) {
+      const Vec3 p0 = nodes.col(i), p1 = nodes.col((i + 1) % n);
+      CrossingSums& sums = of_edge[static_cast<std::size_t>(i)];
+      for (Index j = i + 2; j < edges; ++j) {
+        if (closed && i == 0 && j == edges - 1) continue;  // neighbours span no angle
+        const double angle = solid_angle(p0, p1, nodes.col(j), nodes.col((j + 1) % n));
+        sums.writhe += angle / (2 * pi);
+        sums.average_crossing_number += std::abs(angle) / (2 * pi);
+      }
     }
+  });
+  CrossingSums total;
+  for (const CrossingSums& sums : of_edge) {
+    total.writhe += sums.writhe;
+    total.average_crossing_number += sums.average_crossing_number;
   }
-  return sum / (2 * pi);
+  return total;
 }
+
+double writhe(const Points& nodes, bool closed) { return crossing_sums(nodes, closed).writhe; }
 
 double writhe(const RodState& state) { return writhe(state.nodes, state.ends.closed); }
 

@@ -28,11 +28,16 @@ struct FigureRun {
 /// whole.
 std::vector<std::string> figure_files(const std::vector<std::string>& names);
 
-/// packing: the wire of a frame as a tube, coloured by bending energy per length over YI / (2 R^2).
+/// packing: the wire of a frame as a tube in the outline of its cavity, coloured by bending energy per
+/// length over YI / (2 R^2).
 void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame);
 
-/// force: F R^2 / YI against the packing density, with the inverse-spool model.
+/// section: where the plane y = 0 cuts the wire of a frame, in the same colours.
+void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
+                  const PackingFrame& frame);
+
+/// force: F R^2 / YI against the packing density, with the inverse-spool model; log axis.
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// energy: E_bend R / YI and E_twist R / YI against the packing density, with the same model.

@@ -12,6 +12,7 @@ struct CoilReport {
   Index reversals = 0;        ///< changes of the sense in which loops run around the common axis
   double twist = 0;           ///< of all joints [turns]
   double writhe = 0;
+  double average_crossing_number = 0;
 
   /// Turns of the tip about the wire's axis against the nozzle: twist, and what writhing turns.
   double tip_rotation() const { return twist + writhe; }

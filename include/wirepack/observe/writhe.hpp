@@ -13,6 +13,13 @@ namespace wirepack {
 double writhe(const Points& nodes, bool closed);
 double writhe(const RodState& state);
 
+/// Writhe, and the same sum of absolute values: the number of crossings seen, mean over all directions
+/// to look from (Freedman & He 1991; Buck & Simon 2012). Shared by the threads at hand.
+struct CrossingSums {
+  double writhe = 0, average_crossing_number = 0;
+};
+CrossingSums crossing_sums(const Points& nodes, bool closed);
+
 /// Times two closed polygons wind around each other: half the signed crossings; whole to rounding.
 double linking_number(const Points& first, const Points& second);
 

@@ -55,5 +55,50 @@ TEST(StrandSpacing, OfHexagonallyPackedStrandsIsTheirDistanceInPlanesThatTheyCro
   EXPECT_EQ(strand_spacing(state, Vec3(std::sqrt(3.0), 0, 1)).pairs, 0);
 }
 
+// A spool of hoops about z whose sections are a hexagonal lattice.
+RodState hexagonal_spool(double d) {
+  std::vector<Vec3> nodes;
+  for (int layer = 0; layer < 8; ++layer) {
+    for (int row = -6; row <= 6; ++row) {
+      const double radius = 20 + layer * d * std::sqrt(3.0) / 2;
+      const double height = d * (row + 0.5 * (layer % 2));
+      for (int k = 0; k < 180; ++k) {
+        const double angle = 2 * pi * k / 180;
+        nodes.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+      }
+    }
+  }
+  RodState state;
+  state.nodes.resize(3, static_cast<Index>(nodes.size()));
+  for (Index i = 0; i < state.nodes.cols(); ++i) {
+    state.nodes.col(i) = nodes[static_cast<std::size_t>(i)];
+  }
+  return state;
+}
+
+TEST(StrandSpacing, of_a_hexagonal_spool_is_its_lattice_constant_across_the_strands) {
+  const double d = 2.81;
+  const StrandSpacing spacing = strand_spacing(hexagonal_spool(d));
+  EXPECT_GT(spacing.pairs, 1000);
+  EXPECT_NEAR(spacing.across, d, 0.01 * d);
+  EXPECT_GT(spacing.hexagonal_order, 0.95);  // the planes see hoops of finite curvature aslant
+  // a plane that holds the axis cuts them at right angles
+  const StrandSpacing straight = strand_spacing(hexagonal_spool(d), Vec3(1, 0.01, 0));
+  EXPECT_NEAR(straight.mean, d, 1e-3 * d);
+  EXPECT_NEAR(straight.hexagonal_order, 1, 1e-3);
+}
+
+TEST(StrandSpacing, of_a_square_lattice_has_no_hexagonal_order) {
+  // not quite square, so that one diagonal of each cell is an edge; it is in the first shell too
+  Eigen::Matrix2Xd points(2, 400);
+  for (Index i = 0; i < 400; ++i) {
+    points.col(i) =
+        Eigen::Vector2d(static_cast<double>(i % 20) + 1e-4 * static_cast<double>(i / 20),
+                        static_cast<double>(i / 20));
+  }
+  // of six neighbours the four along the axes give -1 and 1 in turn, the diagonals i and -i
+  EXPECT_LT(delaunay_spacing(points).hexagonal_order, 0.1);
+}
+
 }  // namespace
 }  // namespace wirepack

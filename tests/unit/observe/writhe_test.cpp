@@ -95,6 +95,48 @@ TEST(Writhe, ChangesSignInAMirrorAndNotWithPlaceSizeTurnOrSense) {
   EXPECT_NEAR(writhe(testing::helix_strand(3, 0, 0.9, 17), false), 0, 1e-14);
 }
 
+// 1 / (4 pi) of |(t x t') . r| / |r|^3 over all pairs of points, by midpoints; pairs near each other
+// add nothing on a smooth curve.
+double double_integral(const Curve& curve, int parts) {
+  const double step = 2 * pi / parts;
+  std::vector<Vec3> points, slopes;
+  for (int i = 0; i < parts; ++i) {
+    const double t = (i + 0.5) * step;
+    points.push_back(curve(t));
+    slopes.push_back((curve(t + 1e-5) - curve(t - 1e-5)) / 2e-5);
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vec3 r = points[i] - points[j];
+      sum += std::abs(slopes[i].cross(slopes[j]).dot(r)) / std::pow(r.norm(), 3);
+    }
+  }
+  return 2 * sum * step * step / (4 * pi);
+}
+
+TEST(CrossingSums, average_crossing_number_is_the_double_integral) {
+  for (const KnownWrithe& known : known_writhes()) {
+    const double found = crossing_sums(polygon(known.curve, 1000), true).average_crossing_number;
+    const double exact = double_integral(known.curve, 1500);
+    EXPECT_NEAR(found, exact, 1e-3 * exact) << known.name;
+    EXPECT_GE(found, std::abs(known.writhe) - 1e-3);
+  }
+}
+
+TEST(CrossingSums,
+     of_opposite_edges_of_a_tetrahedron_is_the_share_of_directions_that_see_them_cross) {
+  // It looks like a triangle along lines through a corner and the inside, and there is no crossing; else
+  // like a quadrangle, in which one of three pairs of opposite edges cross.
+  Points nodes(3, 4);
+  nodes << 1, -1, 1, -1,  //
+      1, -1, -1, 1,       //
+      1, 1, -1, -1;
+  const double corner = 3 * std::acos(1.0 / 3) - pi;  // its solid angle
+  EXPECT_NEAR(crossing_sums(nodes, false).average_crossing_number, (1 - 8 * corner / (4 * pi)) / 3,
+              1e-12);
+}
+
 TEST(Twist, OfFramesTurnedLikeARightHandedScrewIsPositive) {
   RodState state = make_rod(testing::straight_nodes(40, 40), RodParams{});
   for (std::size_t j = 0; j < state.frames.size(); ++j) {
