@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "wirepack/packing/imperfection.hpp"
 
 #include "command.hpp"
+#include "frame_choice.hpp"
 
 namespace wirepack {
 
@@ -79,22 +79,10 @@ std::vector<Observed> observe_run(const std::string& file, const std::vector<dou
   const std::vector<HistoryRow> history = reader.history();
   std::vector<Observed> result;
   if (densities.empty()) result.push_back(observed(file, reader, history, frames.back()));
-  const auto density_at = [&](std::int64_t increment) {
-    for (const HistoryRow& row : history) {
-      if (row.increment == static_cast<double>(increment)) return row.packing_density;
-    }
-    return 0.0;
-  };
+  const double spacing = reader.scenario().output.frame_every_density;
   for (const double density : densities) {
-    std::int64_t nearest = frames.front();
-    for (const std::int64_t frame : frames) {
-      if (std::abs(density_at(frame) - density) < std::abs(density_at(nearest) - density)) {
-        nearest = frame;
-      }
-    }
-    const double spacing = reader.scenario().output.frame_every_density;
-    if (std::abs(density_at(nearest) - density) > spacing) continue;  // not reached
-    result.push_back(observed(file, reader, history, nearest));
+    const auto increment = frame_at(density, frames, history, spacing);
+    if (increment) result.push_back(observed(file, reader, history, *increment));
   }
   return result;
 }
