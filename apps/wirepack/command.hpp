@@ -29,6 +29,7 @@ Command verify_command(CLI::App& program);
 Command figures_command(CLI::App& program);
 Command compare_command(CLI::App& program, const std::string& command_line);
 Command analyze_command(CLI::App& program);
+Command export_command(CLI::App& program);
 Command fit_command(CLI::App& program, const std::string& command_line);
 Command view_command(CLI::App& program);
 

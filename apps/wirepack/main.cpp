@@ -105,6 +105,7 @@ int run_program(int count, char** arguments) {
                                       figures_command(program),
                                       compare_command(program, shell_text(count, arguments)),
                                       analyze_command(program),
+                                      export_command(program),
                                       fit_command(program, shell_text(count, arguments)),
                                       view_command(program)};
   try {

@@ -1,13 +1,19 @@
-# Target wirepack::hdf5, as HDF5's own package has no target that every project can use. For the build
-# of wirepack and, installed, for projects that use it.
-find_library(WIREPACK_hdf5_LIBRARY NAMES hdf5 hdf5_serial PATH_SUFFIXES hdf5/serial)
-find_path(WIREPACK_hdf5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial)
-mark_as_advanced(WIREPACK_hdf5_LIBRARY WIREPACK_hdf5_INCLUDE_DIR)
-if(NOT WIREPACK_hdf5_LIBRARY OR NOT WIREPACK_hdf5_INCLUDE_DIR)
-  set(wirepack_missing "wirepack needs the library hdf5, which was not found")
-elseif(NOT TARGET wirepack::hdf5)
-  add_library(wirepack::hdf5 UNKNOWN IMPORTED)
-  set_target_properties(wirepack::hdf5 PROPERTIES
-    IMPORTED_LOCATION "${WIREPACK_hdf5_LIBRARY}"
-    INTERFACE_INCLUDE_DIRECTORIES "${WIREPACK_hdf5_INCLUDE_DIR}")
-endif()
+# Targets wirepack::hdf5 and wirepack::zip, as the libraries' own packages have none that every project
+# can use. For the build of wirepack and, installed, for projects that use it.
+function(wirepack_c_library name header)
+  cmake_parse_arguments(PARSE_ARGV 2 search "" "" "NAMES;PATH_SUFFIXES")
+  find_library(WIREPACK_${name}_LIBRARY NAMES ${search_NAMES} PATH_SUFFIXES ${search_PATH_SUFFIXES})
+  find_path(WIREPACK_${name}_INCLUDE_DIR ${header} PATH_SUFFIXES ${search_PATH_SUFFIXES})
+  mark_as_advanced(WIREPACK_${name}_LIBRARY WIREPACK_${name}_INCLUDE_DIR)
+  if(NOT WIREPACK_${name}_LIBRARY OR NOT WIREPACK_${name}_INCLUDE_DIR)
+    set(wirepack_missing "wirepack needs the library ${name}, which was not found" PARENT_SCOPE)
+  elseif(NOT TARGET wirepack::${name})
+    add_library(wirepack::${name} UNKNOWN IMPORTED)
+    set_target_properties(wirepack::${name} PROPERTIES
+      IMPORTED_LOCATION "${WIREPACK_${name}_LIBRARY}"
+      INTERFACE_INCLUDE_DIRECTORIES "${WIREPACK_${name}_INCLUDE_DIR}")
+  endif()
+endfunction()
+
+wirepack_c_library(hdf5 hdf5.h NAMES hdf5 hdf5_serial PATH_SUFFIXES hdf5/serial)
+wirepack_c_library(zip zip.h NAMES zip)

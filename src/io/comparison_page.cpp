@@ -10,6 +10,7 @@
 #include "wirepack/io/output_path.hpp"
 
 #include "atomic_file.hpp"
+#include "xml_text.hpp"
 
 namespace wirepack {
 
@@ -79,22 +80,6 @@ std::optional<SeedMean> last_value(const ComparedQuantity& q, Way way) {
   return values.empty() ? std::nullopt : values.back();
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&') {
-      result += "&amp;";
-    } else if (c == '<') {
-      result += "&lt;";
-    } else if (c == '>') {
-      result += "&gt;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
 // Densities with the value of a row of each run of a way.
 Curve curve_of(const ComparedRun& run, std::string label, int colour,
                double (*of)(const Scenario&, const HistoryRow&)) {
@@ -155,8 +140,8 @@ std::string html_table(const Comparison& comparison, const ComparedQuantity& q) 
   for (const double phi : comparison.densities) text += fmt::format("<th>{:.3g}</th>", phi);
   text += "</tr>\n";
   for (const TableLine& line : lines_of(q)) {
-    text += "<tr><td>" + escaped(line.name) + "</td>";
-    for (const std::string& cell : line.cells) text += "<td>" + escaped(cell) + "</td>";
+    text += "<tr><td>" + xml_escaped(line.name) + "</td>";
+    for (const std::string& cell : line.cells) text += "<td>" + xml_escaped(cell) + "</td>";
     text += "</tr>\n";
   }
   return text + "</table>\n";
@@ -291,14 +276,15 @@ void write_comparison(const std::filesystem::path& folder, const std::string& ti
                       const Comparison& comparison) {
   const Version build = version();
   std::string page =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + escaped(title) +
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
+      xml_escaped(title) +
       "</title>\n<style>body{font-family:sans-serif;max-width:62em;margin:2em auto;padding:0 1em}"
       "table{border-collapse:collapse;margin:1em 0}td,th{padding:.15em .6em;text-align:right;"
       "border-bottom:1px solid #ddd}td:first-child,th:first-child{text-align:left}"
       "svg{width:100%;height:auto;max-width:44em}pre{background:#f5f5f5;padding:1em}</style></"
       "head>\n"
       "<body><h1>" +
-      escaped(title) + "</h1>\n<p>" +
+      xml_escaped(title) + "</h1>\n<p>" +
       fmt::format(
           "One scenario, packed by minimization and in time, without and with friction. "
           "Common range to phi = {:.4g}; values are means over phi &plusmn; {:.3g}, which "
@@ -306,15 +292,15 @@ void write_comparison(const std::filesystem::path& folder, const std::string& ti
           comparison.largest_density, comparison.window, build.program, build.git_commit) +
       "</p>\n<ul>\n";
   for (const std::string& finding : findings(comparison)) {
-    page += "<li>" + escaped(finding) + "</li>\n";
+    page += "<li>" + xml_escaped(finding) + "</li>\n";
   }
   page += "</ul>\n";
   for (const ComparedQuantity& q : comparison.quantities) {
     draw_quantity(folder, comparison, runs, q);
-    page += "<h2>" + escaped(heading(q)) + "</h2>\n" + html_table(comparison, q) +
+    page += "<h2>" + xml_escaped(heading(q)) + "</h2>\n" + html_table(comparison, q) +
             inline_figure(folder / (q.name + ".svg"));
   }
-  page += "<h2>Configuration</h2>\n<pre>" + escaped(config) + "</pre>\n</body></html>\n";
+  page += "<h2>Configuration</h2>\n<pre>" + xml_escaped(config) + "</pre>\n</body></html>\n";
   put(folder / "comparison.json", comparison_json(comparison));
   put(folder / "comparison.html", page);
 }

@@ -1,9 +1,10 @@
 #include "compressed_text.hpp"
 
-#include <string_view>
 #include <zlib.h>
 
 #include "wirepack/core/error.hpp"
+
+#include "base64.hpp"
 
 namespace wirepack {
 
@@ -17,23 +18,6 @@ std::vector<unsigned char> deflated(const std::vector<unsigned char>& bytes) {
   }
   result.resize(size);
   return result;
-}
-
-std::string base64(const std::vector<unsigned char>& bytes) {
-  constexpr std::string_view digits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = bytes.size() - i;
-    const unsigned triple = (unsigned{bytes[i]} << 16U) |
-                            (left > 1 ? unsigned{bytes[i + 1]} << 8U : 0U) |
-                            (left > 2 ? unsigned{bytes[i + 2]} : 0U);
-    for (unsigned digit = 0; digit < 4; ++digit) {
-      text += digit <= left ? digits[(triple >> (18U - 6U * digit)) & 63U] : '=';
-    }
-  }
-  return text;
 }
 
 }  // namespace

@@ -12,11 +12,12 @@
 #include <unistd.h>
 
 #include "wirepack/core/error.hpp"
-#include "wirepack/core/rotation.hpp"
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/observe/spool_model.hpp"
 
 #include "atomic_file.hpp"
+#include "node_values.hpp"
+#include "tube.hpp"
 
 namespace wirepack {
 
@@ -102,56 +103,28 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
   for (const char* ending : {".png", ".pdf", ".svg"}) keep(name + ending);
 }
 
-// Points of the centreline, `parts` to an edge, on cubics with the mean tangents at the nodes.
-struct SmoothLine {
-  Points points;
-  Eigen::VectorXd colour;
-};
-
-SmoothLine smooth_line(const Points& nodes, const Eigen::VectorXd& colour, Index parts) {
-  const Index n = nodes.cols();
-  const auto slope = [&](Index i) -> Vec3 {
-    return (nodes.col(std::min(i + 1, n - 1)) - nodes.col(std::max<Index>(i - 1, 0))) /
-           static_cast<double>(std::min(i + 1, n - 1) - std::max<Index>(i - 1, 0));
-  };
-  SmoothLine line{Points(3, (n - 1) * parts + 1), Eigen::VectorXd((n - 1) * parts + 1)};
-  for (Index k = 0; k < line.points.cols(); ++k) {
-    const Index i = std::min(k / parts, n - 2);
-    const double u = static_cast<double>(k - i * parts) / static_cast<double>(parts);
-    line.points.col(k) = (1 + 2 * u) * (1 - u) * (1 - u) * nodes.col(i) +
-                         u * (1 - u) * (1 - u) * slope(i) + u * u * (3 - 2 * u) * nodes.col(i + 1) +
-                         u * u * (u - 1) * slope(i + 1);
-    line.colour[k] = (1 - u) * colour[i] + u * colour[i + 1];
-  }
-  return line;
-}
-
 // Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline, and one of no
 // radius to close each end.
 std::string tube(const SmoothLine& line, double radius) {
-  constexpr int around = 24;
+  constexpr Index around = 24;
+  const Points rings = tube_rings(line.points, radius, around);
   std::string text = "# x y z colour\n";
   const Index n = line.points.cols();
-  const auto direction = [&](Index k) -> Vec3 {
-    return (line.points.col(std::min(k + 1, n - 1)) - line.points.col(std::max<Index>(k - 1, 0)))
-        .normalized();
-  };
-  Quat frame = frame_with_tangent(direction(0));
-  const auto add_ring = [&](Index k, double size) {
-    for (int j = 0; j <= around; ++j) {
-      const double angle = 2 * pi * j / around;
-      const Vec3 r =
-          line.points.col(k) + frame * Vec3(size * std::cos(angle), size * std::sin(angle), 0);
+  const auto add_ring = [&](Index k, auto&& point) {
+    for (Index j = 0; j <= around; ++j) {
+      const Vec3 r = point(j % around);
       text += fmt::format("{:.4f} {:.4f} {:.4f} {:.4g}\n", r.x(), r.y(), r.z(), line.colour[k]);
     }
     text += "\n";
   };
-  add_ring(0, 0);
+  const auto add_end = [&](Index k) {
+    add_ring(k, [&](Index) -> Vec3 { return line.points.col(k); });
+  };
+  add_end(0);
   for (Index k = 0; k < n; ++k) {
-    frame = (transport(third_axis(frame), direction(k)) * frame).normalized();
-    add_ring(k, radius);
+    add_ring(k, [&](Index j) -> Vec3 { return rings.col(k * around + j); });
   }
-  add_ring(n - 1, 0);
+  add_end(n - 1);
   return text;
 }
 
@@ -237,28 +210,9 @@ constexpr const char* colours =
     "set colorbox horizontal user origin 0.2,0.1 size 0.6,0.02\nset cbtics\n"
     "set cblabel 'bending energy per length / (YI / 2R^2)'\n";
 
-// Bending energy per length at the nodes over YI / (2 R^2).
-Eigen::VectorXd energy_colours(const Scenario& scenario, const PackingFrame& frame) {
-  const Index n = frame.rod.node_count();
-  const double unit = units_of(scenario).scaled_force() / 2;
-  const auto edge = [&](Index j) {
-    return (frame.rod.nodes.col(j + 1) - frame.rod.nodes.col(j)).norm();
-  };
-  Eigen::VectorXd colour(n);
-  for (Index i = 0; i < n; ++i) {
-    const double length = ((i > 0 ? edge(i - 1) : 0) + (i + 1 < n ? edge(i) : 0)) / 2;
-    colour[i] = frame.bend_energy[i] / (length * unit);
-  }
-  return colour;
-}
-
 // The range of colours leaves out the few largest values.
 std::string colour_range(const Eigen::VectorXd& colour) {
-  std::vector<double> sorted(colour.data(), colour.data() + colour.size());
-  std::sort(sorted.begin(), sorted.end());
-  const auto last = static_cast<double>(sorted.size() - 1);
-  const double top = std::max(1e-3, sorted[static_cast<std::size_t>(0.98 * last)]);
-  return fmt::format("set cbrange [0:{:.3g}]\n", top);
+  return fmt::format("set cbrange [0:{:.3g}]\n", top_of_colours(colour));
 }
 
 // Ellipses in which the plane y = 0 cuts the edges: x z, both diameters, the angle of the long one, colour.
@@ -295,8 +249,8 @@ std::string cavity_outline(double radius) {
 void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame) {
   const double radius = scenario.cavity.radius;
-  const Eigen::VectorXd colour = energy_colours(scenario, frame);
-  const Index parts = frame.rod.node_count() < 2000 ? 3 : 1;
+  const Eigen::VectorXd colour = scaled_bend_energy(scenario, frame);
+  const Index parts = smooth_parts(frame.rod.node_count());
   const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
   const std::string commands =
       "unset border\nunset tics\nunset key\nset view 65,30,1.5\nset view equal xyz\n"
@@ -312,7 +266,7 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
 void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame) {
   const double radius = scenario.cavity.radius;
-  const Eigen::VectorXd colour = energy_colours(scenario, frame);
+  const Eigen::VectorXd colour = scaled_bend_energy(scenario, frame);
   const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
   const std::string commands =
       "unset border\nunset tics\nunset key\nset size ratio -1\nset lmargin at screen 0.05\n"

@@ -4,44 +4,24 @@
 
 #include "wirepack/observe/order.hpp"
 
+#include "node_values.hpp"
+
 namespace wirepack {
 
 namespace {
-
-Eigen::VectorXd node_lengths(const RodState& rod) {
-  Eigen::VectorXd lengths = Eigen::VectorXd::Zero(rod.node_count());
-  for (Index j = 0; j < rod.edge_count(); ++j) {
-    const double half = (rod.nodes.col(j + 1) - rod.nodes.col(j)).norm() / 2;
-    lengths[j] += half;
-    lengths[j + 1] += half;
-  }
-  return lengths;
-}
 
 Eigen::VectorXd per_length(const PackingFrame& frame, const Eigen::VectorXd& values, double unit) {
   return (values.array() / (node_lengths(frame.rod).array() * unit)).matrix();
 }
 
-double energy_line_unit(const Scenario& s) { return force_unit(s) / 2; }
 double force_line_unit(const Scenario& s) { return force_unit(s) / s.cavity.radius; }
 
-Eigen::VectorXd bend_energy(const Scenario& scenario, const PackingFrame& frame) {
-  return per_length(frame, frame.bend_energy, energy_line_unit(scenario));
-}
-
 Eigen::VectorXd twist_energy(const Scenario& scenario, const PackingFrame& frame) {
-  return per_length(frame, frame.twist_energy, energy_line_unit(scenario));
+  return per_length(frame, frame.twist_energy, force_unit(scenario) / 2);
 }
 
-Eigen::VectorXd contact_force(const Scenario& scenario, const PackingFrame& frame) {
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(frame.rod.node_count());
-  for (const SelfContact& contact : frame.contacts) {
-    for (const Index edge : {contact.edges.first, contact.edges.second}) {
-      force[edge] += contact.force / 2;
-      force[edge + 1] += contact.force / 2;
-    }
-  }
-  return per_length(frame, force, force_line_unit(scenario));
+Eigen::VectorXd contact_force_line(const Scenario& scenario, const PackingFrame& frame) {
+  return per_length(frame, contact_force(frame), force_line_unit(scenario));
 }
 
 Eigen::VectorXd wall_force(const Scenario& scenario, const PackingFrame& frame) {
@@ -67,9 +47,9 @@ Eigen::VectorXd coil_alignment(const Scenario&, const PackingFrame& frame) {
 }  // namespace
 
 const std::array<NodeField, 5> node_fields{{
-    {"bend_energy", "bending energy per length", "YI/2R²", true, bend_energy},
+    {"bend_energy", "bending energy per length", "YI/2R²", true, scaled_bend_energy},
     {"twist_energy", "torsion energy per length", "YI/2R²", true, twist_energy},
-    {"contact_force", "contact force per length", "YI/R³", true, contact_force},
+    {"contact_force", "contact force per length", "YI/R³", true, contact_force_line},
     {"wall_force", "wall force per length", "YI/R³", true, wall_force},
     {"coil_alignment", "order: alignment of the coil axis", "1", false, coil_alignment},
 }};
