@@ -11,8 +11,10 @@
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
+#include "wirepack/packing/warnings.hpp"
 
 #include "command.hpp"
+#include "run_advice.hpp"
 #include "run_loop.hpp"
 #include "stop_signals.hpp"
 
@@ -51,11 +53,21 @@ Scenario scenario_of(const Options& options) {
     }
   }
   if (!text.empty()) throw InvalidInput(text);
+  if (compared_densities(scenario, options.density).empty()) {
+    throw InvalidInput(fmt::format(
+        "--density {}: must be at least {}, the first density to compare at beyond a length of "
+        "4 R, where the wire has curled up",
+        options.density, compared_densities(scenario, 1).front()));
+  }
   return scenario;
 }
 
+// A run that has reached its density goes on to a larger one; one that was lost stays so.
 bool is_over(const PackingProgress& progress, const Scenario& scenario, const Hdf5Reader& reader) {
-  return reader.finished() || reached_limit(in_own_units(scenario), progress);
+  const std::string reason = reader.stop_reason();
+  return reason == name_of(StopReason::no_equilibrium) ||
+         reason == name_of(StopReason::strands_passed) ||
+         reached_limit(in_own_units(scenario), progress);
 }
 
 /// Runs one way to its end, going on from a file that is there. False: a signal has stopped it.
@@ -88,9 +100,15 @@ ComparedRun read_run(Way way, const std::filesystem::path& file) {
   return run;
 }
 
-std::string run_file(const Options& options, const Scenario& seeded, std::string_view name) {
-  return options.seeds == 1 ? fmt::format("{}.h5", name)
-                            : fmt::format("{}_seed{}.h5", name, seeded.seed);
+// The run of the first seed is found under the name that it has with one seed, and with several.
+std::string run_file(const Options& options, const Scenario& seeded, std::uint64_t first_seed,
+                     std::string_view name) {
+  const std::string single = fmt::format("{}.h5", name);
+  const std::string several = fmt::format("{}_seed{}.h5", name, seeded.seed);
+  const std::filesystem::path folder = options.folder;
+  if (seeded.seed != first_seed) return several;
+  if (options.seeds == 1) return exists(folder / several) ? several : single;
+  return exists(folder / single) ? single : several;
 }
 
 int compare_ways(const Options& options) {
@@ -99,11 +117,13 @@ int compare_ways(const Options& options) {
   const std::vector<std::filesystem::path> inputs =
       config_inputs(options.config, overrides_of(options));
   // beside runs that are gone on with, page and figures are those of an earlier call
-  const bool begun = std::filesystem::exists(folder / run_file(options, scenario, ways[0].second));
+  const bool begun =
+      std::filesystem::exists(folder / run_file(options, scenario, scenario.seed, ways[0].second));
   output_folder(folder, comparison_files(), {inputs, options.force || begun});
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+  say_warnings("compare", warnings(scenario, expected_length(scenario)));
   catch_stop_signals();
   std::vector<ComparedRun> runs;
   for (int k = 0; k < options.seeds; ++k) {
@@ -112,7 +132,8 @@ int compare_ways(const Options& options) {
     for (const auto& [way, name] : ways) {
       // a run that is there is gone on with
       const std::filesystem::path file =
-          output_file(folder / run_file(options, seeded, name), {.inputs = inputs, .force = true});
+          output_file(folder / run_file(options, seeded, scenario.seed, name),
+                      {.inputs = inputs, .force = true});
       say(fmt::format("{}, seed {}", name, seeded.seed));
       if (!run(scenario_of(way, seeded), file, options)) {
         say("stopped by a signal; the same command goes on from there");

@@ -13,8 +13,10 @@
 #include "wirepack/io/hdf5_recorder.hpp"
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/warnings.hpp"
 
 #include "command.hpp"
+#include "run_advice.hpp"
 #include "run_loop.hpp"
 #include "stop_signals.hpp"
 
@@ -44,20 +46,24 @@ std::vector<ConfigOverride> overrides_of(const RunOptions& options) {
   return overrides;
 }
 
-int show_plan(const Scenario& scenario) {
-  std::fputs(resolved_config(scenario).c_str(), stdout);
+int show_plan(const Scenario& scenario, const DeclaredUnits& names) {
+  std::string text = resolved_config(scenario);
+  if (!names.length.empty()) {
+    text += fmt::format("\n[units]\nlength = \"{}\"\nforce = \"{}\"\n", names.length, names.force);
+  }
   const double length = expected_length(scenario);
-  const double nodes = length / scenario.wire.edge_length;
-  const double density = packing_density(length, scenario.cavity, scenario.wire.radius);
-  const double frames = density / scenario.output.frame_every_density + 1;
-  // a frame has 10 numbers per node, and the frames of a run have half the last one's nodes
-  const double megabytes = 8 * 10 * nodes * (frames / 2 + 1) / 1e6;
-  std::fputs(
-      fmt::format("\n# expected to end near L = {:.4g} (phi = {:.3g})\n"
-                  "# about {:.0f} nodes, {:.0f} increments, {:.0f} frames, {:.1f} MB\n",
-                  length, density, nodes, length / scenario.insertion.increment, frames, megabytes)
-          .c_str(),
-      stdout);
+  const Stiffness wire = stiffness(scenario.wire);
+  const RunEstimate run = estimate(scenario, length);
+  text += fmt::format(
+      "\n# EI = {:.6g}, GJ = {:.6g}, EA = {:.6g}; YI/R^2 = {}, YI/R = {}\n"
+      "# expected to end near L = {:.4g} (phi = {:.3g})\n"
+      "# about {:.0f} nodes, {:.0f} increments, {:.0f} frames, {:.2g} MB, some {} of computing\n",
+      wire.bend, wire.twist, wire.stretch, shown_force(force_unit(scenario), names),
+      shown_energy(units_of(scenario).scaled_energy(), names), length,
+      packing_density(length, scenario.cavity, scenario.wire.radius), run.nodes, run.increments,
+      run.frames, run.bytes / 1e6, shown_time(run.seconds));
+  std::fputs(text.c_str(), stdout);
+  say_warnings("run", warnings(scenario, length));
   return exit_done;
 }
 
@@ -70,21 +76,34 @@ int exit_code(const RunResult& result) {
 
 int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
            const RunTotals& before, const RunOptions& options) {
+  const DeclaredUnits names = declared_units(options.config, overrides_of(options));
+  recorder.note("length_unit", names.length);
+  recorder.note("force_unit", names.force);
+  say_warnings("run", warnings(scenario, expected_length(scenario)));
   catch_stop_signals();
   const RunResult result = record_run(packing, recorder, scenario, before, stdout);
   const PackingProgress& progress = packing.progress();
-  std::fputs(summary(result, progress, scenario).c_str(), stdout);
-  std::fflush(stdout);
   const std::string saved =
       fmt::format("{} holds all up to increment {:.0f}", options.output, progress.last.increment);
+  if (result.unread) {
+    // what is left of the table has nowhere to go
+    if (std::freopen("/dev/null", "w", stdout) == nullptr) return exit_file_error;
+    say("nobody reads the table any more; " + saved + "; --resume goes on from there");
+    return exit_stopped_by_signal;
+  }
+  std::fputs(summary(result, progress, scenario, names).c_str(), stdout);
+  std::fputs(next_step(result.stop, options.output).c_str(), stdout);
+  std::fflush(stdout);
+  say_warnings("run", result.warnings);
   if (!result.stop) {
     say("stopped by a signal; " + saved + "; --resume goes on from there");
   } else if (*result.stop == StopReason::no_equilibrium) {
-    say("no equilibrium was found for the next increment, even in the smallest substep; " + saved);
+    say("no equilibrium was found for the next increment, even in the smallest substep; " + saved +
+        "; " + what_to_try(scenario, *result.stop));
   } else if (*result.stop == StopReason::strands_passed) {
     say("strands pass through each other in the next increment" +
         std::string(scenario.method == Method::dynamic ? "" : ", even in the smallest substep") +
-        "; " + saved);
+        "; " + saved + "; " + what_to_try(scenario, *result.stop));
   }
   return exit_code(result);
 }
@@ -92,7 +111,18 @@ int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario
 int resume(const Scenario& scenario, const RunOptions& options) {
   const Hdf5Reader reader(options.output);
   const Scenario saved = reader.scenario();
-  if (const auto conflict = continuation_conflict(saved, scenario)) {
+  const std::string reason = reader.stop_reason();
+  const bool lost = reason == name_of(StopReason::no_equilibrium) ||
+                    reason == name_of(StopReason::strands_passed);
+  const std::vector<std::string> changes =
+      lost ? search_changes(saved, scenario) : std::vector<std::string>();
+  Scenario compared = scenario;
+  if (lost) {  // how to look for the next equilibrium may be another
+    compared.minimizer = saved.minimizer;
+    compared.insertion = saved.insertion;
+  }
+  const auto given = given_keys(options.config, overrides_of(options));
+  if (const auto conflict = continuation_conflict(saved, compared, given)) {
     throw InvalidInput(fmt::format("{} cannot be continued with this configuration: {}",
                                    options.output, *conflict));
   }
@@ -106,15 +136,22 @@ int resume(const Scenario& scenario, const RunOptions& options) {
     say(fmt::format("{} is finished: stop.{} is reached", options.output, name_of(*passed)));
     return exit_done;
   }
-  const std::string reason = reader.stop_reason();
-  if (reason == name_of(StopReason::no_equilibrium) ||
-      reason == name_of(StopReason::strands_passed)) {
-    say(fmt::format("{} is finished: {}", options.output, reason));
+  if (lost && changes.empty()) {
+    say(fmt::format("{} is finished: {}; {}", options.output, reason,
+                    what_to_try(scenario, reason == name_of(StopReason::no_equilibrium)
+                                              ? StopReason::no_equilibrium
+                                              : StopReason::strands_passed)));
     return exit_no_equilibrium;
+  }
+  std::string history = reader.note("search_changes");
+  for (const std::string& change : changes) {
+    history += fmt::format("{}after increment {:.0f}: {}", history.empty() ? "" : "\n",
+                           progress.last.increment, change);
   }
   say(fmt::format("{}: going on after increment {:.0f}", options.output, progress.last.increment));
   PackingRun packing(scenario, std::move(progress));
   Hdf5Recorder recorder = Hdf5Recorder::continuing(options.output, scenario, options.command_line);
+  if (!history.empty()) recorder.note("search_changes", history);
   return finish(packing, recorder, scenario, totals, options);
 }
 
@@ -122,7 +159,7 @@ int run(const RunOptions& options) {
   use_threads(options.threads);
   const std::vector<ConfigOverride> overrides = overrides_of(options);
   const Scenario scenario = read_config(options.config, overrides);
-  if (options.dry_run) return show_plan(scenario);
+  if (options.dry_run) return show_plan(scenario, declared_units(options.config, overrides));
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
   const OutputRules rules{config_inputs(options.config, overrides), options.force || options.resume,
                           "--resume goes on from it, --force replaces it"};
@@ -153,7 +190,8 @@ Command run_command(CLI::App& program, const std::string& command_line) {
   CLI::Option* resume =
       app->add_flag("--resume", options->resume,
                     "Goes on from OUT.h5, to the same bits as an undisturbed run; [stop] and "
-                    "[output] may have changed. Starts from the beginning if there is no OUT.h5");
+                    "[output] may have changed, after exit code 3 [minimizer] and [insertion], "
+                    "too. Starts from the beginning if there is no OUT.h5");
   app->add_flag("--force", options->force, "Replaces an existing OUT.h5")->excludes(resume);
   app->add_flag("--dry-run", options->dry_run,
                 "Prints the resolved configuration and an estimate, and writes nothing");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <new>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
 
@@ -44,6 +45,11 @@ std::string shell_text(int count, char** arguments) {
   return text;
 }
 
+constexpr const char* no_memory =
+    "there is not enough memory; a lower [stop] limit or a longer wire.edge_length needs less";
+constexpr const char* own_fault =
+    "has failed by a fault of its own; please report the command and its configuration";
+
 int report(const std::string& name, const std::exception& error, int code) {
   std::fputs((name + ": " + error.what() + "\n").c_str(), stderr);
   return code;
@@ -64,11 +70,14 @@ int run_safely(const Command& command) {
   } catch (const FileError& error) {
     return report(name, error, exit_file_error);
   } catch (const std::system_error& error) {
-    return report(name, error, exit_file_error);
+    // words of the system, not of a library
+    return report(name, FileError(error.code().message()), exit_file_error);
   } catch (const std::bad_alloc&) {
-    return report(name, std::runtime_error("there is not enough memory"), exit_numerical_failure);
-  } catch (const std::exception& error) {
-    return report(name, error, exit_numerical_failure);
+    return report(name, NumericalFailure(no_memory), exit_numerical_failure);
+  } catch (const std::length_error&) {  // more than any memory has
+    return report(name, NumericalFailure(no_memory), exit_numerical_failure);
+  } catch (const std::exception&) {
+    return report(name, NumericalFailure(own_fault), exit_numerical_failure);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "run_loop.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -9,8 +10,10 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/history_table.hpp"
+#include "wirepack/io/round_off.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/longest_wire.hpp"
+#include "wirepack/packing/warnings.hpp"
 
 #include "stop_signals.hpp"
 
@@ -23,14 +26,10 @@ using Clock = std::chrono::steady_clock;
 // A run with inertia is slow enough when on average it has less of its energy in motion.
 constexpr double quasistatic_share = 0.02;
 
+constexpr std::size_t terminal_columns = 80;
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::string shown_time(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
 }
 
 /// One line on a terminal that tells how far the run is.
@@ -59,7 +58,8 @@ class ProgressLine {
     if (done > 0 && left > 0) {
       text += fmt::format("  about {} left", shown_time(seconds * left / done));
     }
-    std::fputs(("\r" + text + "\033[K").c_str(), stderr);
+    // a line that is wrapped could not be cleared
+    std::fputs(("\r" + text.substr(0, terminal_columns - 1) + "\033[K").c_str(), stderr);
     dirty_ = true;
   }
 
@@ -71,6 +71,12 @@ class ProgressLine {
 
 }  // namespace
 
+std::string shown_time(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
 void RunTotals::add(const HistoryRow& row) {
   largest_residual = std::max(largest_residual, row.residual);
   largest_overlap = std::max(largest_overlap, row.max_overlap);
@@ -81,10 +87,13 @@ void RunTotals::add(const HistoryRow& row) {
 
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
                      const RunTotals& before, std::FILE* table_file) {
-  RunResult result{std::nullopt, before};
+  RunResult result;
+  result.totals = before;
   const Clock::time_point start = Clock::now();
   const HistoryTable table(scenario);
   ProgressLine progress_line(scenario, packing.row());
+  std::vector<std::string> found = warnings(scenario, expected_length(scenario));
+  recorder.note("warnings", fmt::format("{}", fmt::join(found, "\n")));
   // Shows now, and not after hours, that the file cannot be written.
   recorder.flush(packing.progress());
   Clock::time_point last_flush = Clock::now();
@@ -97,7 +106,7 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
   if (table_file != nullptr) std::fputs(table.header().c_str(), table_file);
   PackingProgress good = packing.progress();
   try {
-    while (!result.stop && !stop_was_requested()) {
+    while (!result.stop && !stop_was_requested() && !result.unread) {
       result.stop = packing.advance();
       const PackingProgress& progress = packing.progress();
       const bool advanced = progress.last.increment > good.last.increment;
@@ -109,7 +118,7 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
         progress_line.clear();
         if (table_file != nullptr) {
           std::fputs(table.line(row, progress).c_str(), table_file);
-          std::fflush(table_file);
+          result.unread = std::fflush(table_file) != 0 && errno == EPIPE;
         }
         progress_line.show(row, seconds_since(start));
       }
@@ -128,6 +137,9 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
     recorder.flush(good);
     throw;
   }
+  result.warnings = warnings(scenario, packing.progress(), result.totals.largest_overlap);
+  found.insert(found.end(), result.warnings.begin(), result.warnings.end());
+  recorder.note("warnings", fmt::format("{}", fmt::join(found, "\n")));
   // A run that a signal stopped goes on later; an extra frame would make it differ from others.
   const double last = packing.progress().last.increment;
   if (result.stop && last > 0 && last > last_frame) take_frame();
@@ -146,7 +158,7 @@ double expected_length(const Scenario& scenario) {
 }
 
 std::string summary(const RunResult& result, const PackingProgress& progress,
-                    const Scenario& scenario) {
+                    const Scenario& scenario, const DeclaredUnits& names) {
   const Units units = units_of(scenario);
   const HistoryRow last = in_units(progress.last, units);
   const WorkBalance balance = in_units(progress.balance, units);
@@ -161,21 +173,26 @@ std::string summary(const RunResult& result, const PackingProgress& progress,
   line("stopped by", result.stop ? std::string(name_of(*result.stop)) : "a signal");
   line("phi_max", fmt::format("{:.6f}", last.packing_density));
   line("inserted length", fmt::format("{:.6g} a", last.inserted_length / scenario.wire.radius));
-  line("force", fmt::format("{:.6g} YI/R^2", last.scaled_force));
-  line("work int F dL", fmt::format("{:.6g} YI/R", balance.work / unit));
-  line("  stored energy", fmt::format("{:.6g} YI/R", last.energy_total / unit));
+  const auto energy = [&](std::string_view name, double value) {
+    value = without_round_off(value, balance.work);
+    line(name, fmt::format("{:.6g} YI/R = {}", value / unit, shown_energy(value, names)));
+  };
+  line("force",
+       fmt::format("{:.6g} YI/R^2 = {}", last.scaled_force, shown_force(last.force, names)));
+  energy("work int F dL", balance.work);
+  energy("  stored energy", last.energy_total);
   if (scenario.method == Method::dynamic) {
-    line("  kinetic energy", fmt::format("{:.6g} YI/R", last.energy_kinetic / unit));
-    line("  rubbed off", fmt::format("{:.6g} YI/R", balance.friction / unit));
-    line("  viscous", fmt::format("{:.6g} YI/R", balance.viscous / unit));
+    energy("  kinetic energy", last.energy_kinetic);
+    energy("  rubbed off", balance.friction);
+    energy("  viscous", balance.viscous);
   } else {
-    line("  released in snaps", fmt::format("{:.6g} YI/R", balance.released / unit));
+    energy("  released in snaps", balance.released);
     if (scenario.friction.model != FrictionModel::none) {
-      line("  rubbed off", fmt::format("{:.6g} YI/R", balance.friction / unit));
-      line("  held by contacts", fmt::format("{:.6g} YI/R", balance.contact_springs / unit));
+      energy("  rubbed off", balance.friction);
+      energy("  held by contacts", balance.contact_springs);
     }
   }
-  line("  lost in remeshing", fmt::format("{:.6g} YI/R", balance.remeshing / unit));
+  energy("  lost in remeshing", balance.remeshing);
   line("  residue", fmt::format("{:.3g} % of the work", percent));
   if (scenario.method == Method::dynamic) {
     const double share = totals.stored > 0 ? totals.kinetic / totals.stored : 0;

@@ -3,8 +3,10 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "wirepack/io/hdf5_recorder.hpp"
+#include "wirepack/packing/declared_units.hpp"
 #include "wirepack/packing/packing_run.hpp"
 
 namespace wirepack {
@@ -19,20 +21,26 @@ struct RunTotals {
 };
 
 struct RunResult {
-  std::optional<StopReason> stop;  ///< nothing: a signal stopped the run
+  std::optional<StopReason> stop;  ///< nothing: a signal stopped the run, or nobody reads the table
   RunTotals totals;
+  bool unread = false;                ///< the reader of the table has gone away
+  std::vector<std::string> warnings;  ///< of the end; those of the scenario not among them
 };
 
-/// Runs until a limit or a stop signal: prints the table, if one is wanted, and progress to stderr (on a
+/// Runs until a limit, a stop signal, or until the reader of the table has gone away: prints the table, if one is wanted, and progress to stderr (on a
 /// terminal), and brings everything to the file at the start, with every frame, every
 /// output.checkpoint_every_seconds, and at the end. Throws NumericalFailure, with all increments
 /// before it saved, and FileError.
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
                      const RunTotals& before, std::FILE* table);
 
+/// A duration for people: "45 s", "12 min".
+std::string shown_time(double seconds);
+
 /// The result in numbers, as lines that start with '#'.
+/// Forces and energies also in the unit of the configuration, by its name if it is declared.
 std::string summary(const RunResult& result, const PackingProgress& progress,
-                    const Scenario& scenario);
+                    const Scenario& scenario, const DeclaredUnits& names = {});
 
 /// Length at which the run is expected to end: by the limits on length, density and increments, or
 /// else by the law phi_max = 0.98 (a/R)^0.38 for a limit on the force (published for high torsion;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "wirepack/dynamics/stick_limit.hpp"
+
 namespace wirepack {
 
 EquationOfMotion::EquationOfMotion(WireForces forces, double density, HeldUnknowns held,
@@ -54,6 +56,10 @@ void EquationOfMotion::set_rates(const DynamicState& state, FrictionMemory& memo
 
 void EquationOfMotion::add_friction_of(const DynamicState& state, FrictionMemory& memory) {
   const RodState& rod = state.rod;
+  const double stiffest = std::max(forces_.cavity ? forces_.wall_stiffness : 0,
+                                   forces_.contact ? forces_.contact->stiffness : 0);
+  require_calm_sticking(*forces_.friction, stiffest / inertia_.mass_per_length(forces_.wire),
+                        state.step);
   const Index last = rod.node_count() - 1;
   // Wire is in motion where it enters, at a clamp that is at rest.
   const Vec3 fed = -state.feed_speed * forces_.nozzle_direction;

@@ -10,7 +10,9 @@
 
 #include "config_keys.hpp"
 #include "config_text.hpp"
+#include "number_hint.hpp"
 #include "text_file.hpp"
+#include "wire_stiffness.hpp"
 
 namespace wirepack {
 
@@ -104,6 +106,10 @@ std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given
       if (std::isfinite(number)) return ConfigValue(number);
       problem = "must be a finite number";
       if (!key.choices.empty()) problem += " or " + quoted_list(key.choices);
+      if (word != nullptr) problem += number_hint(*word);
+      if (given.shown == "[...]" && key.section == "wire") {
+        problem += ": the wire is the same along its length, sections of it are not read";
+      }
       return std::nullopt;
     }
     case ConfigType::choice:
@@ -125,6 +131,7 @@ class Interpreter {
     check_sections();
     for (const GivenKey& given : text_.keys) accept(given);
     check_rest_shape();
+    resolve_wire();
     Scenario result = defaults();
     const bool any_limit = std::any_of(accepted_.begin(), accepted_.end(),
                                        [](const Accepted& a) { return a.key->section == "stop"; });
@@ -138,6 +145,7 @@ class Interpreter {
   }
 
   const std::vector<std::string>& problems() const { return problems_; }
+  const DeclaredUnits& units() const { return units_; }
 
  private:
   struct Accepted {
@@ -214,6 +222,43 @@ class Interpreter {
     }
   }
 
+  void complain_about(std::string_view path, const std::string& problem) {
+    for (const GivenKey& given : text_.keys) {
+      if (given.section + "." + given.name == path) complain(given, problem);
+    }
+  }
+
+  std::string word_of(std::string_view path) const {
+    const ConfigValue* value = value_of(path);
+    return value == nullptr ? std::string() : std::get<std::string>(*value);
+  }
+
+  void accept_as(std::string_view section, std::string_view name, const ConfigValue& value) {
+    accepted_.push_back({find(section, name), value});
+  }
+
+  // Puts the keys in place that others stand for.
+  void resolve_wire() {
+    GivenNumbers numbers;
+    for (const Accepted& a : accepted_) {
+      if (const auto* v = std::get_if<double>(&a.value)) numbers.emplace(a.key->path(), *v);
+    }
+    DeclaredUnits units{word_of("units.length"), word_of("units.force")};
+    if (units.length.empty() != units.force.empty()) {
+      complain_about(units.force.empty() ? "units.length" : "units.force",
+                     "length and force are declared together; the other one is missing");
+      return;
+    }
+    for (const KeyProblem& p : resolve_stiffness(numbers, units)) complain_about(p.path, p.problem);
+    for (const char* name : {"radius", "youngs_modulus", "poisson_ratio", "stretch_multiplier"}) {
+      const auto number = numbers.find(std::string("wire.") + name);
+      if (number != numbers.end() && value_of(number->first) == nullptr) {
+        accept_as("wire", name, number->second);
+      }
+    }
+    units_ = units;
+  }
+
   std::string suggestion(const GivenKey& given) const {
     std::vector<std::string> names;
     for (const ConfigKey& key : keys_) {
@@ -271,6 +316,7 @@ class Interpreter {
   std::string source_;
   std::vector<std::string> problems_;
   std::vector<Accepted> accepted_;
+  DeclaredUnits units_;
 };
 
 }  // namespace
@@ -297,6 +343,14 @@ Scenario parse_config(std::string_view text, const std::string& source,
 Scenario read_config(const std::filesystem::path& file,
                      const std::vector<ConfigOverride>& overrides) {
   return parse_config(read_text(file, "a configuration", largest_file), file.string(), overrides);
+}
+
+DeclaredUnits declared_units(const std::filesystem::path& file,
+                             const std::vector<ConfigOverride>& overrides) {
+  const std::string text = read_text(file, "a configuration", largest_file);
+  Interpreter interpreter(read_config_text(text, file.string(), overrides), file.string());
+  interpreter.scenario();
+  return interpreter.units();
 }
 
 std::vector<std::filesystem::path> config_inputs(const std::filesystem::path& file,
@@ -326,18 +380,54 @@ std::string resolved_config(const Scenario& scenario) {
   return text;
 }
 
-std::optional<std::string> continuation_conflict(const Scenario& was, const Scenario& now) {
+namespace {
+
+// How a key differs between two scenarios, or nothing.
+std::optional<std::string> difference(const ConfigKey& key, const Scenario& was,
+                                      const Scenario& now) {
   const auto text = [](const std::optional<ConfigValue>& value) {
     return value ? shown(*value) : std::string("not set");
   };
+  const std::string before = text(key.get(was)), after = text(key.get(now));
+  if (before == after) return std::nullopt;
+  if (key.type == ConfigType::shape) return key.path() + ": is another one than it was";
+  return fmt::format("{}: was {}, is now {}", key.path(), before, after);
+}
+
+}  // namespace
+
+std::vector<std::string> given_keys(const std::filesystem::path& file,
+                                    const std::vector<ConfigOverride>& overrides) {
+  std::vector<std::string> paths;
+  const std::string text = read_text(file, "a configuration", largest_file);
+  for (const GivenKey& key : read_config_text(text, file.string(), overrides).keys) {
+    paths.push_back(key.section + "." + key.name);
+  }
+  return paths;
+}
+
+std::vector<std::string> search_changes(const Scenario& was, const Scenario& now) {
+  std::vector<std::string> changes;
+  for (const ConfigKey& key : config_keys()) {
+    if (key.section != "minimizer" && key.section != "insertion") continue;
+    if (const auto change = difference(key, was, now)) changes.push_back(*change);
+  }
+  return changes;
+}
+
+std::optional<std::string> continuation_conflict(const Scenario& was, const Scenario& now,
+                                                 const std::vector<std::string>& given) {
+  std::vector<std::string> of_user, of_defaults;
   for (const ConfigKey& key : config_keys()) {
     if (key.may_change) continue;
-    const std::string before = text(key.get(was)), after = text(key.get(now));
-    if (before == after) continue;
-    if (key.type == ConfigType::shape) return key.path() + ": is another one than it was";
-    return fmt::format("{}: was {}, is now {}", key.path(), before, after);
+    const auto change = difference(key, was, now);
+    if (!change) continue;
+    const bool is_given = std::find(given.begin(), given.end(), key.path()) != given.end();
+    (is_given ? of_user : of_defaults).push_back(*change);
   }
-  return std::nullopt;
+  of_user.insert(of_user.end(), of_defaults.begin(), of_defaults.end());
+  if (of_user.empty()) return std::nullopt;
+  return fmt::format("{}", fmt::join(of_user, "\n  "));
 }
 
 }  // namespace wirepack

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/packing/declared_units.hpp"
 
 namespace wirepack {
 
@@ -182,6 +183,22 @@ ConfigKey reference_shape_beyond() {
   return key;
 }
 
+// What only reading goes by: other keys follow from it, and it is never written.
+ConfigKey stand_in(std::string_view section, std::string_view name) {
+  ConfigKey key = named(section, name);
+  key.set = [](Scenario&, const ConfigValue&) {};
+  key.get = [](const Scenario&) -> std::optional<ConfigValue> { return std::nullopt; };
+  return key;
+}
+
+// A name for reports.
+ConfigKey unit(std::string_view name, std::vector<std::string_view> names) {
+  ConfigKey key = stand_in("units", name);
+  key.type = ConfigType::choice;
+  key.choices = std::move(names);
+  return key;
+}
+
 ConfigKey seed() {
   ConfigKey key = member("packing", "seed", in(&Scenario::seed));
   key.get = [](const Scenario& s) {
@@ -200,6 +217,8 @@ std::vector<ConfigKey> config_keys() {
       choice("packing", "setup", setup_names, in(&Scenario::setup)),
       choice("packing", "method", method_names, in(&Scenario::method)),
       seed(),
+      unit("length", length_unit_names()),
+      unit("force", force_unit_names()),
       member("wire", "radius", in(&Scenario::wire, &RodParams::radius)),
       member("wire", "youngs_modulus", in(&Scenario::wire, &RodParams::youngs_modulus)),
       member("wire", "poisson_ratio", in(&Scenario::wire, &RodParams::poisson_ratio)),
@@ -209,6 +228,14 @@ std::vector<ConfigKey> config_keys() {
       reference_shape(),
       reference_shape_beyond(),
       member("wire", "density", in(&Scenario::density)),
+      stand_in("wire", "bending_stiffness"),
+      stand_in("wire", "torsional_stiffness"),
+      stand_in("wire", "persistence_length"),
+      stand_in("wire", "temperature"),
+      stand_in("wire.coil", "wire_diameter"),
+      stand_in("wire.coil", "coil_diameter"),
+      stand_in("wire.coil", "youngs_modulus"),
+      stand_in("wire.coil", "poisson_ratio"),
       only("cavity", "shape", "sphere"),
       member("cavity", "radius", in(&Scenario::cavity, &SphericalCavity::radius)),
       member("cavity", "wall_stiffness", in(&Scenario::wall_stiffness)),

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "darboux_rows.hpp"
+#include "number_hint.hpp"
 
 namespace wirepack {
 
@@ -74,6 +75,28 @@ struct Placed {
   std::uint32_t line, column;
 };
 
+bool is_section(const std::string& name) {
+  const std::vector<ConfigKey> keys = config_keys();
+  return std::any_of(keys.begin(), keys.end(),
+                     [&](const ConfigKey& key) { return key.section == name; });
+}
+
+// Keys of a section, and of sections within it, such as [wire.coil].
+void collect_keys(const toml::table& table, const std::string& section, const std::string& source,
+                  std::vector<Placed>& found) {
+  for (const auto& [name, value] : table) {
+    const std::string inner = section + "." + printable(name.str());
+    if (const toml::table* nested = value.as_table(); nested != nullptr && is_section(inner)) {
+      collect_keys(*nested, inner, source, found);
+      continue;
+    }
+    const toml::source_region& region = name.source();
+    found.push_back({GivenKey{section, printable(name.str()), value_of(value), shown_node(value),
+                              place(source, region)},
+                     region.begin.line, region.begin.column});
+  }
+}
+
 void collect(const toml::table& root, const std::string& source, ConfigText& result) {
   std::vector<Placed> found;
   std::vector<std::tuple<std::uint32_t, std::uint32_t, GivenSection>> sections;
@@ -90,12 +113,7 @@ void collect(const toml::table& root, const std::string& source, ConfigText& res
     }
     sections.emplace_back(at.line, at.column,
                           GivenSection{section_name, place(source, section.source())});
-    for (const auto& [name, value] : *table) {
-      const toml::source_region& region = name.source();
-      found.push_back({GivenKey{section_name, printable(name.str()), value_of(value),
-                                shown_node(value), place(source, region)},
-                       region.begin.line, region.begin.column});
-    }
+    collect_keys(*table, section_name, source, found);
   }
   // tables are sorted by name; messages go along the text
   std::sort(found.begin(), found.end(), [](const Placed& a, const Placed& b) {
@@ -126,21 +144,29 @@ GivenKey parse_override_value(const std::string& text) {
   return key;
 }
 
+std::string trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
+}
+
 void apply(const ConfigOverride& change, ConfigText& result) {
-  const std::string& text = change.assignment;
   const std::string origin = printable(change.origin, 120);
-  const auto equals = text.find('=');
-  const auto dot = text.find('.');
-  const bool complete = equals != std::string::npos && dot != std::string::npos && dot > 0 &&
-                        dot + 1 < equals && equals + 1 < text.size() && text.size() <= longest_line;
+  const auto at = std::min(change.assignment.find('='), change.assignment.size());
+  const std::string path = trimmed(change.assignment.substr(0, at));
+  const std::string value =
+      trimmed(change.assignment.substr(std::min(at + 1, change.assignment.size())));
+  const auto dot = path.rfind('.');
+  const bool complete = dot != std::string::npos && dot > 0 && dot + 1 < path.size() &&
+                        !value.empty() && change.assignment.size() <= longest_line;
   if (!complete) {
     result.problems.push_back(
         fmt::format("{}: must have the form section.key=value, such as cavity.radius=10", origin));
     return;
   }
-  GivenKey key = parse_override_value(text.substr(equals + 1));
-  key.section = printable(text.substr(0, dot));
-  key.name = printable(text.substr(dot + 1, equals - dot - 1));
+  GivenKey key = parse_override_value(value);
+  key.section = printable(path.substr(0, dot));
+  key.name = printable(path.substr(dot + 1));
   key.where = origin;
   key.overrides = true;
   const auto same = [&](const GivenKey& k) {
@@ -151,6 +177,21 @@ void apply(const ConfigOverride& change, ConfigText& result) {
                                  [&](const GivenSection& s) { return s.name == key.section; });
   if (!known) result.sections.push_back({key.section, origin});
   result.keys.push_back(std::move(key));
+}
+
+// What a line gives where it cannot be read, if that was meant as a number.
+std::string line_hint(std::string_view text, std::uint32_t line) {
+  for (std::uint32_t i = 1; i < line && !text.empty(); ++i) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  text = text.substr(0, text.find_first_of("\r\n#"));
+  const auto equals = text.find('=');
+  if (equals == std::string_view::npos) return {};
+  const std::string value = trimmed(text.substr(equals + 1));
+  const std::string hint = number_hint(value);
+  if (hint.empty()) return {};
+  return fmt::format("{} = {}: is no number{}", printable(trimmed(text.substr(0, equals))),
+                     printable(value), hint);
 }
 
 }  // namespace
@@ -178,8 +219,10 @@ ConfigText read_config_text(std::string_view text, const std::string& source,
   try {
     collect(toml::parse(text), source, result);
   } catch (const toml::parse_error& error) {
+    const std::string hint = line_hint(text, error.source().begin.line);
     result.problems.push_back(
-        fmt::format("{}: {}", place(source, error.source()), printable(error.description(), 300)));
+        fmt::format("{}: {}", place(source, error.source()),
+                    hint.empty() ? printable(error.description(), 300) : hint));
     return result;
   }
   if (result.keys.empty() && result.problems.empty()) {

@@ -219,6 +219,10 @@ std::string Hdf5Reader::library_versions() const {
 std::string Hdf5Reader::stop_reason() const {
   return text(opened_->name, opened_->file, "stop_reason");
 }
+std::string Hdf5Reader::note(const std::string& name) const {
+  if (!has_attribute(opened_->file, name)) return {};
+  return text(opened_->name, opened_->file, name.c_str());
+}
 bool Hdf5Reader::finished() const {
   return reading(opened_->name,
                  [&] { return read_attribute<std::int64_t>(opened_->file, "finished") != 0; });

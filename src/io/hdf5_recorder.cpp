@@ -123,6 +123,7 @@ void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReas
     const Hdf5Handle image = exists_ ? open_image(bytes) : create_image();
     write_provenance(image, scenario_, command_line_);
     write_setup(image, scenario_);
+    for (const auto& [name, text] : notes_) write_attribute(image, name, text);
     write_attribute(image, "finished", static_cast<std::int64_t>(stop.has_value()));
     write_attribute(image, "stop_reason", stop ? std::string(name_of(*stop)) : std::string());
     write_attribute(image, "phi_max", progress.last.packing_density);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "wirepack/io/round_off.hpp"
+
 namespace wirepack {
 
 HistoryTable::HistoryTable(const Scenario& scenario)
@@ -19,13 +21,15 @@ std::string HistoryTable::header() const {
 }
 
 std::string HistoryTable::line(const HistoryRow& row, const PackingProgress& progress) const {
+  const auto part = [&](double energy) {
+    return without_round_off(energy, row.energy_total) / energy_unit_;
+  };
   return fmt::format(
       "{:9.0f} {:10.4f} {:8.5f} {:11.4e} {:11.4e} {:11.4e} {:11.4e} {:6} {:9.2e} {:6.0f} {:8.0f} "
       "{:9.2e}\n",
       row.increment, row.inserted_length / radius_, row.packing_density, row.scaled_force,
-      row.force_difference / force_unit_, row.energy_bend / energy_unit_,
-      row.energy_twist / energy_unit_, progress.snaps, row.residual, row.evaluations, row.contacts,
-      row.max_overlap / radius_);
+      row.force_difference / force_unit_, part(row.energy_bend), part(row.energy_twist),
+      progress.snaps, row.residual, row.evaluations, row.contacts, row.max_overlap / radius_);
 }
 
 }  // namespace wirepack

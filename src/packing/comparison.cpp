@@ -205,6 +205,30 @@ std::optional<double> ComparedQuantity::mean_difference() const {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }
 
+namespace {
+
+// Four increments of the default, which lie evenly about the sawtooth of a growing inlet edge.
+double averaging_window(const Scenario& scenario) {
+  const double sawtooth =
+      packing_density(2 * scenario.wire.edge_length, scenario.cavity, scenario.wire.radius);
+  return std::max(sawtooth, 0.008);
+}
+
+}  // namespace
+
+std::vector<double> compared_densities(const Scenario& scenario, double largest) {
+  const double curled =
+      packing_density(4 * scenario.cavity.radius, scenario.cavity, scenario.wire.radius);
+  std::vector<double> densities;
+  for (int k = 1; k <= 40; ++k) {
+    const double phi = 0.025 * k;
+    if (phi > 0.1 && k % 2 != 0) continue;
+    if (phi - averaging_window(scenario) < curled) continue;
+    if (phi <= largest * (1 + round_off)) densities.push_back(phi);
+  }
+  return densities;
+}
+
 Comparison compare(const std::vector<ComparedRun>& runs) {
   Comparison result;
   result.largest_density = std::numeric_limits<double>::infinity();
@@ -213,17 +237,9 @@ Comparison compare(const std::vector<ComparedRun>& runs) {
     result.largest_density = std::min(result.largest_density, end);
   }
   const Scenario& scenario = runs.front().scenario;
-  const double a = scenario.wire.radius, radius = scenario.cavity.radius;
-  // four increments of the default, which lie evenly about the sawtooth of a growing inlet edge
-  const double sawtooth = packing_density(2 * scenario.wire.edge_length, scenario.cavity, a);
-  result.window = std::max(sawtooth, 0.008);
-  const double curled = packing_density(4 * radius, scenario.cavity, a);
-  for (int k = 1; k <= 40; ++k) {
-    const double phi = 0.025 * k;
-    if (phi > 0.1 && k % 2 != 0) continue;
-    if (phi - result.window < curled) continue;
-    if (phi <= result.largest_density * (1 + round_off)) result.densities.push_back(phi);
-  }
+  const double a = scenario.wire.radius;
+  result.window = averaging_window(scenario);
+  result.densities = compared_densities(scenario, result.largest_density);
   if (result.densities.empty()) {
     throw InvalidInput(
         "the runs end before there is a density to compare at: the common range must reach beyond "

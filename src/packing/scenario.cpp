@@ -118,9 +118,11 @@ std::vector<std::string> problems(const Scenario& scenario) {
   if (positive(radius) && positive(a)) {
     std::ostringstream allowed;
     allowed << "must be at least twice wire.radius = " << a;
+    if (radius < a / 10) allowed << "; are both in the same unit of length?";
     require(radius >= 2 * a * (1 - round_off), "cavity.radius", radius, allowed.str());
     std::ostringstream largest;
     largest << "must be at most 1000 times wire.radius = " << a;
+    if (radius > 1e5 * a) largest << "; are both in the same unit of length?";
     require(radius <= 1000 * a * (1 + round_off), "cavity.radius", radius, largest.str());
     if (radius >= 2 * a * (1 - round_off) && positive(l)) {
       std::ostringstream longest;

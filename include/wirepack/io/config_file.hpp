@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wirepack/packing/declared_units.hpp"
 #include "wirepack/packing/scenario.hpp"
 
 namespace wirepack {
@@ -17,7 +18,8 @@ struct ConfigOverride {
 };
 
 /// The scenario of a TOML configuration. Keys that are not given take the values of
-/// default_scenario() for the given setup, cavity.radius, wire.radius and wire.youngs_modulus;
+/// default_scenario() for the given setup, cavity.radius, wire.radius and wire.youngs_modulus, which
+/// may be given as stiffnesses, a persistence length or a wound coil (data/docs/stiffness.md);
 /// insertion.increment follows a given wire.edge_length; any given stop limit replaces the default
 /// one. wire.precurvature = k is the rest shape (0, k, 0). wire.reference_shape takes its place: the name
 /// of a shape file (shape_file.hpp), relative to the folder of `source`, or to the current one in an
@@ -44,9 +46,23 @@ std::vector<std::filesystem::path> config_inputs(const std::filesystem::path& fi
 /// a rest curvature about another axis than the second, or a seed above 2^63 - 1.
 std::string resolved_config(const Scenario& scenario);
 
-/// What keeps a run of one scenario from being continued with another: the first key, in the order
-/// of resolved_config(), that differs, as "section.key: was x, is now y". Stop limits and [output]
-/// may differ.
-std::optional<std::string> continuation_conflict(const Scenario& was, const Scenario& now);
+/// The units that a configuration declares in [units], or that a persistence length without them is
+/// in. Throws like read_config() when the file cannot be read.
+DeclaredUnits declared_units(const std::filesystem::path& file,
+                             const std::vector<ConfigOverride>& overrides = {});
+
+/// Paths of the keys that a configuration gives, such as "cavity.radius".
+std::vector<std::string> given_keys(const std::filesystem::path& file,
+                                    const std::vector<ConfigOverride>& overrides = {});
+
+/// What keeps a run of one scenario from being continued with another: every key that differs, as
+/// "section.key: was x, is now y" on lines of their own: those of `given`, then the others, in the
+/// order of resolved_config(). Stop limits and [output] may differ.
+std::optional<std::string> continuation_conflict(const Scenario& was, const Scenario& now,
+                                                 const std::vector<std::string>& given = {});
+
+/// Differences in [minimizer] and [insertion], which say how the next equilibrium is looked for: a run
+/// that has found none may go on with other values.
+std::vector<std::string> search_changes(const Scenario& was, const Scenario& now);
 
 }  // namespace wirepack

@@ -40,6 +40,8 @@ class Hdf5Reader {
   bool finished() const;
   std::string stop_reason() const;  ///< empty while the run is not finished
   double phi_max() const;
+  /// What Hdf5Recorder::note() has kept; empty when there is none of this name.
+  std::string note(const std::string& name) const;
 
  private:
   struct Opened;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ class Hdf5Recorder {
   /// replaces the first.
   void add(PackingFrame frame) { frames_.push_back(std::move(frame)); }
 
+  /// Keeps a text as an attribute of the file, in place of one of the same name: warnings,
+  /// length_unit, force_unit, search_changes.
+  void note(const std::string& name, std::string text) { notes_[name] = std::move(text); }
+
   /// Brings what was added and the progress to the disk, with the reason of the stop if the run is
   /// over. `progress` must be that after the last row added. Throws FileError with path and reason;
   /// then the old file is intact and what was added is kept for the next flush.
@@ -44,6 +49,7 @@ class Hdf5Recorder {
   bool exists_ = false;  // our file is in place, and the next flush adds to it
   std::vector<HistoryRow> rows_;
   std::vector<PackingFrame> frames_;
+  std::map<std::string, std::string> notes_;
 };
 
 }  // namespace wirepack

@@ -78,6 +78,10 @@ struct Comparison {
   std::vector<Cost> costs;                   ///< mean over seeds
 };
 
+/// Densities up to the largest at which runs are compared: those beyond which the wire has curled up
+/// (4 R). None: the runs would end too early.
+std::vector<double> compared_densities(const Scenario& scenario, double largest);
+
 /// Sets runs of one scenario side by side, with several seeds or one. The common range ends where the
 /// first of them does. Throws InvalidInput when that is before the wire has curled up (4 R).
 Comparison compare(const std::vector<ComparedRun>& runs);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/rod/elasticity.hpp"
 
 namespace wirepack {
 namespace {
@@ -145,6 +146,104 @@ TEST(ConfigFile, only_limits_and_output_may_change_in_a_continuation) {
                                                  "[output]\nframe_every_density = 0.5\n")));
   EXPECT_EQ(continuation_conflict(was, parsed("[cavity]\nradius = 5\n[packing]\nseed = 2\n")),
             "packing.seed: was 1, is now 2");
+}
+
+double number(const std::string& text, double Stiffness::*member) {
+  return stiffness(parsed(text).wire).*member;
+}
+
+TEST(ConfigFile, bending_and_torsional_stiffness_give_the_wire_that_has_them) {
+  const std::string text = "[wire]\nradius = 0.5\nbending_stiffness = 205\n";
+  EXPECT_NEAR(number(text, &Stiffness::bend), 205, 1e-10);
+  EXPECT_EQ(parsed(text).wire.poisson_ratio, RodParams{}.poisson_ratio);
+  EXPECT_NEAR(number(text + "torsional_stiffness = 410", &Stiffness::twist), 410, 1e-10);
+  EXPECT_NEAR(number(text + "torsional_stiffness = 136.6666666667", &Stiffness::twist), 136.66667,
+              1e-4);
+  EXPECT_NEAR(number(text + "poisson_ratio = 0.25", &Stiffness::twist), 205 / 1.25, 1e-10);
+  const Scenario s = parsed(text);
+  EXPECT_EQ(s.wall_stiffness, s.wire.youngs_modulus);
+  EXPECT_EQ(s.contact.stiffness, s.wire.youngs_modulus);
+  EXPECT_EQ(resolved_config(parsed(resolved_config(s))), resolved_config(s));
+}
+
+TEST(ConfigFile, a_persistence_length_is_k_B_T_over_bending_stiffness_in_the_declared_units) {
+  const std::string keys = "[wire]\npersistence_length = 50\ntemperature = 300\n";
+  EXPECT_NEAR(number(keys, &Stiffness::bend), 207.097, 1e-3);  // pN nm^2
+  EXPECT_NEAR(number(keys + "[units]\nlength = 'nm'\nforce = 'pN'", &Stiffness::bend), 207.097,
+              1e-3);
+  EXPECT_NEAR(number(keys + "[units]\nlength = 'nm'\nforce = 'nN'", &Stiffness::bend), 0.207097,
+              1e-6);
+  const std::string metres =
+      "[wire]\nradius = 1e-9\npersistence_length = 50e-9\ntemperature = 300\n"
+      "[cavity]\nradius = 27e-9\n";
+  EXPECT_NE(message_of(metres).find("give `length = \"m\"`"), std::string::npos);
+  EXPECT_NEAR(number(metres + "[units]\nlength = 'm'\nforce = 'N'", &Stiffness::bend), 2.07097e-28,
+              1e-33);
+}
+
+TEST(ConfigFile, a_wound_coil_is_a_wire_of_its_radius_with_its_stiffnesses) {
+  const std::string text =
+      "[wire]\n[wire.coil]\nwire_diameter = 0.05\ncoil_diameter = 0.35\nyoungs_modulus = 70\n"
+      "[cavity]\nradius = 3\n";
+  const Scenario s = parsed(text);
+  const Stiffness expected = stiffness(WoundCoil{0.05, 0.35, 70, 0.3});
+  EXPECT_EQ(s.wire.radius, 0.175);
+  EXPECT_NEAR(stiffness(s.wire).bend / expected.bend, 1, 1e-12);
+  EXPECT_NEAR(stiffness(s.wire).twist / expected.twist, 1, 1e-12);
+  EXPECT_NEAR(stiffness(s.wire).stretch / expected.stretch, 1, 1e-12);
+  EXPECT_EQ(parsed(text, {{"wire.coil.poisson_ratio=0.1", "--set"}}).wire.poisson_ratio < 0, true);
+  EXPECT_EQ(parsed(text, {{"wire.stretch_multiplier=2", "--set"}}).wire.stretch_multiplier, 2);
+}
+
+TEST(ConfigFile, stiffnesses_that_say_the_same_twice_or_cannot_be_are_refused) {
+  const auto refused = [](const std::string& keys, const std::string& part) {
+    const std::string message = message_of("[wire]\n" + keys);
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  };
+  refused("bending_stiffness = 2\nyoungs_modulus = 5",
+          ":2:1: wire.bending_stiffness = 2: wire.youngs_modulus is given, too");
+  refused("bending_stiffness = -2", ":2:1: wire.bending_stiffness = -2: must be positive");
+  refused("bending_stiffness = 2\ntorsional_stiffness = 1",
+          "must be at least 1.33333, two thirds of the bending stiffness");
+  refused("torsional_stiffness = 1", "needs wire.bending_stiffness beside it");
+  refused("persistence_length = 50", "needs wire.temperature beside it");
+  refused("temperature = 300", "needs wire.persistence_length beside it");
+  refused("[wire.coil]\nwire_diameter = 0.05", "needs wire.coil.coil_diameter beside it");
+  refused("[wire.coil]\nwire_diameter = 0.05\ncoil_diameter = 0.1\nyoungs_modulus = 5",
+          "must be above two of wire.coil.wire_diameter = 0.05");
+  refused(
+      "poisson_ratio = 0.2\n[wire.coil]\nwire_diameter = 0.05\ncoil_diameter = 0.35\n"
+      "youngs_modulus = 5",
+      "[wire.coil] is given, too");
+  refused(
+      "radius = 0.1\n[wire.coil]\nwire_diameter = 0.05\ncoil_diameter = 0.35\n"
+      "youngs_modulus = 5",
+      "must be at least half of wire.coil.coil_diameter, 0.175");
+  refused("radius = [1.0, 0.8]", "sections of it are not read");
+  refused("[units]\nlength = 'mm'", "length and force are declared together");
+  refused("[units]\nlength = 'inch'\nforce = 'N'", "must be \"m\" or");
+}
+
+TEST(ConfigFile, overrides_may_have_blanks_and_words_that_were_meant_as_numbers_are_explained) {
+  const std::string text = "[cavity]\nradius = 5\n";
+  EXPECT_EQ(parsed(text, {{" cavity.radius = 6.5 ", "--set"}}).cavity.radius, 6.5);
+  const auto hint = [&](const std::string& value) {
+    return message_of(text, {{"stop.density=" + value, "--set"}});
+  };
+  EXPECT_NE(hint(".2").find("must be a finite number; write 0.2"), std::string::npos);
+  EXPECT_NE(hint("20%").find("; write 0.2 (a number has no percent sign)"), std::string::npos);
+  EXPECT_NE(hint("0,2").find("; write 0.2 (decimals follow a point)"), std::string::npos);
+  EXPECT_EQ(hint("dense").find("write"), std::string::npos);
+}
+
+TEST(ConfigFile, all_differences_of_a_continuation_are_named_those_of_the_users_keys_first) {
+  const Scenario was = parsed("[cavity]\nradius = 5\n");
+  const Scenario now = parsed("[cavity]\nradius = 8\n");
+  const std::string text = *continuation_conflict(was, now, {"cavity.radius"});
+  EXPECT_EQ(text.find("cavity.radius: was 5, is now 8\n  wire.edge_length: was 0.5"), 0U) << text;
+  EXPECT_NE(text.find("\n  insertion.increment: "), std::string::npos);
+  EXPECT_EQ(search_changes(was, now).size(), 1U);  // insertion.increment
 }
 
 }  // namespace

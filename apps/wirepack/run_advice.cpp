@@ -1,0 +1,79 @@
+#include "run_advice.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
+
+#include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/dynamics_values.hpp"
+
+namespace wirepack {
+
+std::string next_step(std::optional<StopReason> stop, const std::string& file) {
+  if (!stop) return fmt::format("# next: the same command with --resume goes on\n");
+  return fmt::format(
+      "# next: wirepack view {0} makes a page to look at, wirepack analyze {0} "
+      "tables of coils and order\n",
+      file);
+}
+
+std::string what_to_try(const Scenario& scenario, StopReason reason) {
+  if (scenario.method == Method::dynamic) {
+    return "a lower dynamics.insertion_speed or a shorter dynamics.time_step may help, from the "
+           "beginning";
+  }
+  if (reason == StopReason::strands_passed) {
+    return fmt::format(
+        "go on by --resume with a shorter insertion.increment (it is {:.4g}), or "
+        "begin again with a higher contact.stiffness",
+        scenario.insertion.increment);
+  }
+  return fmt::format(
+      "go on by --resume with other values: minimizer.tolerance ten times larger (it is {:.1g}), "
+      "minimizer.max_evaluations larger (it is {}), or insertion.increment half as long (it is "
+      "{:.4g})",
+      scenario.minimizer.tolerance, scenario.minimizer.max_evaluations,
+      scenario.insertion.increment);
+}
+
+namespace {
+
+// Of a result file: what is there once, and with each frame (groups and datasets of HDF5); a chunk of
+// 256 rows of the history; a node of a frame with the contacts it has on average.
+constexpr double bytes_once = 136e3, bytes_of_frame = 17.6e3, bytes_of_chunk = 39e3;
+constexpr double rows_of_chunk = 256, bytes_of_node = 104;
+// Time of an increment by node, measured at R = 5 to 20 up to phi = 0.75; above phi R / a = 4 snaps
+// take most of it.
+constexpr double seconds_of_increment_by_node = 2.5e-5, many_snaps = 4, growth = 5;
+constexpr double seconds_of_step_by_node = 3.5e-7;
+
+}  // namespace
+
+RunEstimate estimate(const Scenario& scenario, double length) {
+  RunEstimate run{};
+  run.nodes = length / scenario.wire.edge_length;
+  run.increments = length / scenario.insertion.increment;
+  const double density = packing_density(length, scenario.cavity, scenario.wire.radius);
+  run.frames = density / scenario.output.frame_every_density + 1;
+  const double mean_nodes = run.nodes / 2;
+  run.bytes = bytes_once + bytes_of_frame * run.frames +
+              bytes_of_chunk * std::ceil(run.increments / rows_of_chunk) +
+              bytes_of_node * run.frames * mean_nodes;
+  const double strands = density * scenario.cavity.radius / scenario.wire.radius;
+  run.seconds = seconds_of_increment_by_node * run.increments * mean_nodes *
+                (1 + std::pow(strands / many_snaps, growth));
+  if (scenario.method == Method::dynamic) {
+    const DynamicsValues values = dynamics_values(scenario);
+    const double steps = length / (values.insertion_speed * values.time_step);
+    run.seconds = seconds_of_step_by_node * steps * mean_nodes;
+  }
+  return run;
+}
+
+void say_warnings(const std::string& command, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::fputs(fmt::format("wirepack {}: warning: {}\n", command, warning).c_str(), stderr);
+  }
+}
+
+}  // namespace wirepack

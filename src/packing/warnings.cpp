@@ -1,0 +1,103 @@
+#include "wirepack/packing/warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "wirepack/observe/packing_density.hpp"
+
+namespace wirepack {
+
+namespace {
+
+// Numbers that were converted from other units are off by this much.
+constexpr double round_off = 1e-9;
+constexpr double largest_overlap_meant = 0.3;  // wire radii
+constexpr double fewest_frames = 5;
+// Bends that are so far from the cavity's are in another unit of length.
+constexpr double other_unit = 100;
+
+template <class... Parts>
+void add(std::vector<std::string>& found, const Parts&... parts) {
+  std::ostringstream text;
+  text.precision(4);
+  (text << ... << parts);
+  found.push_back(text.str());
+}
+
+double sharpest_at_rest(const RodParams& wire) {
+  double sharpest = std::hypot(wire.rest_darboux.x(), wire.rest_darboux.y());
+  for (const DarbouxRow& row : wire.reference_shape.table.rows()) {
+    sharpest = std::max(sharpest, std::hypot(row.darboux.x(), row.darboux.y()));
+  }
+  return sharpest;
+}
+
+void check_rest_shape(const Scenario& scenario, std::vector<std::string>& found) {
+  const double a = scenario.wire.radius, radius = scenario.cavity.radius;
+  const double sharpest = sharpest_at_rest(scenario.wire);
+  if (sharpest * a > 1 + round_off) {
+    add(found, "at rest the wire bends to a radius of ", 1 / sharpest,
+        ", tighter than its own, wire.radius = ", a);
+  }
+  const ReferenceShape& shape = scenario.wire.reference_shape;
+  if (shape.empty() || sharpest == 0 || sharpest * radius * other_unit > 1) return;
+  add(found, "wire.reference_shape bends to a radius of ", 1 / sharpest,
+      " at most, cavity.radius is ", radius, ": are both in the same unit of length?");
+}
+
+void check_mesh(const Scenario& scenario, std::vector<std::string>& found) {
+  const double a = scenario.wire.radius, l = scenario.wire.edge_length;
+  if (l > 2 * a * (1 + round_off)) {
+    add(found, "wire.edge_length = ", l, " is longer than the wire is thick, ", 2 * a,
+        ": contacts of strands are coarse");
+  }
+  if (l > scenario.cavity.radius / 5 * (1 + round_off)) {
+    add(found, "wire.edge_length = ", l, " is longer than a fifth of cavity.radius, ",
+        scenario.cavity.radius / 5, ": coils are polygons of few sides");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> warnings(const Scenario& scenario, double expected_length) {
+  std::vector<std::string> found;
+  check_rest_shape(scenario, found);
+  check_mesh(scenario, found);
+  const double density = packing_density(expected_length, scenario.cavity, scenario.wire.radius);
+  const double frames = std::floor(density / scenario.output.frame_every_density) + 1;
+  if (frames < fewest_frames) {
+    add(found, "output.frame_every_density = ", scenario.output.frame_every_density,
+        " saves fewer than ", fewest_frames, " frames up to the expected density of ", density);
+  }
+  return found;
+}
+
+std::vector<std::string> warnings(const Scenario& scenario, const PackingProgress& progress,
+                                  double largest_overlap) {
+  std::vector<std::string> found;
+  const double overlap = largest_overlap / scenario.wire.radius;
+  if (overlap > largest_overlap_meant) {
+    add(found, "surfaces overlap by ", overlap, " a, more than the ", largest_overlap_meant,
+        " a that contacts are meant for; stiffer ones (contact.stiffness, cavity.wall_stiffness) "
+        "overlap less");
+  }
+  const double bend = sharpest_bend(progress.rod);  // in units of the wire
+  if (bend > 1 + round_off) {
+    add(found, "the wire ends bent to a radius of ", 1 / bend, " a, tighter than its own");
+  }
+  return found;
+}
+
+double sharpest_bend(const RodState& rod) {
+  double sharpest = 0;
+  for (Index i = 1; i + 1 < rod.node_count(); ++i) {
+    const Vec3 before = rod.nodes.col(i) - rod.nodes.col(i - 1);
+    const Vec3 after = rod.nodes.col(i + 1) - rod.nodes.col(i);
+    const double angle = std::atan2(before.cross(after).norm(), before.dot(after));
+    sharpest = std::max(sharpest, 2 * angle / (before.norm() + after.norm()));
+  }
+  return sharpest;
+}
+
+}  // namespace wirepack
