@@ -222,6 +222,12 @@ class Interpreter {
     }
   }
 
+  bool is_given(std::string_view path) const {
+    return std::any_of(text_.keys.begin(), text_.keys.end(), [&](const GivenKey& given) {
+      return given.section + "." + given.name == path;
+    });
+  }
+
   void complain_about(std::string_view path, const std::string& problem) {
     for (const GivenKey& given : text_.keys) {
       if (given.section + "." + given.name == path) complain(given, problem);
@@ -244,7 +250,7 @@ class Interpreter {
       if (const auto* v = std::get_if<double>(&a.value)) numbers.emplace(a.key->path(), *v);
     }
     DeclaredUnits units{word_of("units.length"), word_of("units.force")};
-    if (units.length.empty() != units.force.empty()) {
+    if (is_given("units.length") != is_given("units.force")) {
       complain_about(units.force.empty() ? "units.length" : "units.force",
                      "length and force are declared together; the other one is missing");
       return;
