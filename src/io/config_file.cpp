@@ -269,6 +269,15 @@ class Interpreter {
     std::vector<std::string> names;
     for (const ConfigKey& key : keys_) {
       if (key.section == given.section) names.emplace_back(key.name);
+      // a section within this one, such as coil of wire.coil
+      const std::string within = given.section + ".";
+      if (key.section.starts_with(within)) {
+        const std::string inner(key.section.substr(within.size()));
+        if (names.empty() || names.back() != inner) names.push_back(inner);
+      }
+    }
+    if (is_section(given.section + "." + given.name)) {
+      return fmt::format("is a section; its keys go below [{}.{}]", given.section, given.name);
     }
     const std::string meant = nearest(given.name, names);
     if (!meant.empty()) {

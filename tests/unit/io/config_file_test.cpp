@@ -222,6 +222,8 @@ TEST(ConfigFile, stiffnesses_that_say_the_same_twice_or_cannot_be_are_refused) {
       "youngs_modulus = 5",
       "must be at least half of wire.coil.coil_diameter, 0.175");
   refused("radius = [1.0, 0.8]", "sections of it are not read");
+  refused("coil = 3", "is a section; its keys go below [wire.coil]");
+  refused("[wire.coyl]\nwire_diameter = 3", "did you mean wire.coil?");
   refused("[units]\nlength = 'mm'", "length and force are declared together");
   refused("[units]\nlength = 'inch'\nforce = 'N'", "must be \"m\" or");
 }
