@@ -222,6 +222,12 @@ class Interpreter {
     }
   }
 
+  bool is_given(std::string_view path) const {
+    return std::any_of(text_.keys.begin(), text_.keys.end(), [&](const GivenKey& given) {
+      return given.section + "." + given.name == path;
+    });
+  }
+
   void complain_about(std::string_view path, const std::string& problem) {
     for (const GivenKey& given : text_.keys) {
       if (given.section + "." + given.name == path) complain(given, problem);
@@ -244,7 +250,7 @@ class Interpreter {
       if (const auto* v = std::get_if<double>(&a.value)) numbers.emplace(a.key->path(), *v);
     }
     DeclaredUnits units{word_of("units.length"), word_of("units.force")};
-    if (units.length.empty() != units.force.empty()) {
+    if (is_given("units.length") != is_given("units.force")) {
       complain_about(units.force.empty() ? "units.length" : "units.force",
                      "length and force are declared together; the other one is missing");
       return;
@@ -263,6 +269,15 @@ class Interpreter {
     std::vector<std::string> names;
     for (const ConfigKey& key : keys_) {
       if (key.section == given.section) names.emplace_back(key.name);
+      // a section within this one, such as coil of wire.coil
+      const std::string within = given.section + ".";
+      if (key.section.starts_with(within)) {
+        const std::string inner(key.section.substr(within.size()));
+        if (names.empty() || names.back() != inner) names.push_back(inner);
+      }
+    }
+    if (is_section(given.section + "." + given.name)) {
+      return fmt::format("is a section; its keys go below [{}.{}]", given.section, given.name);
     }
     const std::string meant = nearest(given.name, names);
     if (!meant.empty()) {

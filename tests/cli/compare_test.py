@@ -41,7 +41,7 @@ class Compare(ProgramTest):
         code, again, err = self.run_program(*command)
         self.assertEqual((code, again), (0, out), err)
         self.assertEqual(history, (self.folder / "out" / "dynamic.h5").read_bytes())
-        code, _, err = self.run_program(*command, "--set", "wire.edge_length=0.6")
+        code, _, err = self.run_program(*command, "--set", "wire.poisson_ratio=0.2")
         self.assertEqual(code, 2)
         self.assertIn("is of another configuration", err)
 

@@ -16,7 +16,7 @@ temperature = 300
 [cavity]
 radius = 4
 [stop]
-increments = 20
+increments = 60
 [output]
 frame_every_density = 0.001
 """
@@ -76,7 +76,7 @@ class Inputs(ProgramTest):
     def test_all_differences_of_a_refused_continuation_are_listed(self):
         self.run_config(SMALL_RUN, "--set", "stop.increments=5")
         _, err = self.run_config(SMALL_RUN, "--resume", "--set", "cavity.radius=5", code=2)
-        self.assertRegex(err, "configuration: cavity.radius: was 4, is now 5\n")
+        self.assertRegex(err, "configuration: cavity.radius: was 4.0, is now 5.0\n")
 
     def test_a_run_whose_table_nobody_reads_ends_quietly_with_all_saved(self):
         self.write("run.toml", SMALL_RUN.replace("60", "100000"))
@@ -86,6 +86,7 @@ class Inputs(ProgramTest):
                 break
         process.stdout.close()
         err = process.stderr.read()
+        process.stderr.close()
         self.assertEqual(process.wait(60), 75, err)
         self.assertRegex(err, r"^wirepack run: nobody reads the table .*--resume goes on from there\n$")
         with h5py.File(self.folder / "out.h5") as file:

@@ -209,7 +209,8 @@ TEST(ConfigFile, stiffnesses_that_say_the_same_twice_or_cannot_be_are_refused) {
   refused("torsional_stiffness = 1", "needs wire.bending_stiffness beside it");
   refused("persistence_length = 50", "needs wire.temperature beside it");
   refused("temperature = 300", "needs wire.persistence_length beside it");
-  refused("[wire.coil]\nwire_diameter = 0.05", "needs wire.coil.coil_diameter beside it");
+  refused("[wire.coil]\nwire_diameter = 0.05\nyoungs_modulus = 5",
+          "needs wire.coil.coil_diameter beside it");
   refused("[wire.coil]\nwire_diameter = 0.05\ncoil_diameter = 0.1\nyoungs_modulus = 5",
           "must be above two of wire.coil.wire_diameter = 0.05");
   refused(
@@ -221,6 +222,8 @@ TEST(ConfigFile, stiffnesses_that_say_the_same_twice_or_cannot_be_are_refused) {
       "youngs_modulus = 5",
       "must be at least half of wire.coil.coil_diameter, 0.175");
   refused("radius = [1.0, 0.8]", "sections of it are not read");
+  refused("coil = 3", "is a section; its keys go below [wire.coil]");
+  refused("[wire.coyl]\nwire_diameter = 3", "did you mean wire.coil?");
   refused("[units]\nlength = 'mm'", "length and force are declared together");
   refused("[units]\nlength = 'inch'\nforce = 'N'", "must be \"m\" or");
 }
@@ -241,7 +244,8 @@ TEST(ConfigFile, all_differences_of_a_continuation_are_named_those_of_the_users_
   const Scenario was = parsed("[cavity]\nradius = 5\n");
   const Scenario now = parsed("[cavity]\nradius = 8\n");
   const std::string text = *continuation_conflict(was, now, {"cavity.radius"});
-  EXPECT_EQ(text.find("cavity.radius: was 5, is now 8\n  wire.edge_length: was 0.5"), 0U) << text;
+  EXPECT_EQ(text.find("cavity.radius: was 5.0, is now 8.0\n  wire.edge_length: was 0.5"), 0U)
+      << text;
   EXPECT_NE(text.find("\n  insertion.increment: "), std::string::npos);
   EXPECT_EQ(search_changes(was, now).size(), 1U);  // insertion.increment
 }
