@@ -239,7 +239,7 @@ std::string analysis_csv(const std::vector<AnalysedRun>& runs) {
         const double value = q.of(frame);
         text += std::isfinite(value) ? fmt::format(",{}", value) : ",";
       }
-      text += "," + csv_text(frame.knot.name) + "\n";
+      text += fmt::format(",{}\n", csv_text(frame.knot.name));
     }
   }
   return text;

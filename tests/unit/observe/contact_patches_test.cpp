@@ -7,14 +7,15 @@
 namespace wirepack {
 namespace {
 
-// Two strands of 40 edges, joined far away, at this angle and distance.
+// One wire with two straight legs of length 40 that pass each other at this angle and distance.
 RodState two_strands(double angle, double distance, double edge_length) {
   const auto edges = static_cast<Index>(40 / edge_length);
-  const Vec3 across(std::sin(angle), 0, std::cos(angle));
+  const Vec3 across(std::cos(angle), std::sin(angle), 0);
   RodState state;
-  state.nodes.resize(3, 2 * edges + 2);
-  state.nodes << testing::centred_strand(Vec3::Zero(), Vec3::UnitZ(), edge_length, edges),
-      testing::centred_strand({0, distance, 0}, across, edge_length, edges);
+  state.nodes = testing::joined_strands(
+                    testing::centred_strand(Vec3::Zero(), Vec3::UnitX(), edge_length, edges),
+                    testing::centred_strand({0, 0, distance}, across, edge_length, edges))
+                    .nodes;
   return state;
 }
 
