@@ -276,7 +276,7 @@ PackingProgress read_progress(hid_t file) {
   require_sizes(rod);
   const Hdf5Handle last = open_group(checkpoint, "last");
   for (const HistoryColumn& column : history_columns) {
-    const bool optional = column.of != ColumnOf::every_run;
+    const bool optional = column.of != ColumnOf::every_run || column.added_later;
     if (optional && !has_attribute(last, std::string(column.name))) continue;
     progress.last.*column.value = read_attribute<double>(last, std::string(column.name));
   }

@@ -133,7 +133,7 @@ std::vector<HistoryRow> Hdf5Reader::history() const {
     std::vector<HistoryRow> rows;
     bool first = true;
     for (const HistoryColumn& column : history_columns) {
-      const bool optional = column.of != ColumnOf::every_run;
+      const bool optional = column.of != ColumnOf::every_run || column.added_later;
       if (optional && !has_link(group, std::string(column.name))) continue;
       // integers are converted to double by HDF5
       const auto table = read_table<double>(group, std::string(column.name), 0);

@@ -41,9 +41,12 @@ std::vector<T> column_of(const std::vector<HistoryRow>& rows, double HistoryRow:
 void write_history(hid_t file, const std::vector<HistoryColumn>& columns,
                    const std::vector<HistoryRow>& rows) {
   const Hdf5Handle history = open_or_create_group(file, "history");
+  const bool begun = has_link(history, std::string(columns.front().name));
   for (const HistoryColumn& column : columns) {
     const std::string name(column.name);
     const bool is_new = !has_link(history, name);
+    // a file that was begun without the column goes on without it: columns are equally long
+    if (is_new && column.added_later && begun) continue;
     if (column.integer) {
       append_values(history, name, column_of<std::int64_t>(rows, column.value));
     } else {

@@ -58,7 +58,11 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
                                     found.observed.wall_forces);
       continue;
     }
-    if (++saddles > most_saddles || !leave_saddle(model, rod, found.report)) break;
+    if (saddles++ == most_saddles) {
+      found.report.stable = false;  // the last of them was one again, as far as is known
+      break;
+    }
+    if (!leave_saddle(model, rod, found.report)) break;
     work = found.report.work;
   }
   found.slip = model.friction.work(rod);

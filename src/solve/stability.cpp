@@ -153,7 +153,11 @@ EquilibriumReport solve_stable_equilibrium(RodState& state, const HeldUnknowns& 
   for (int saddles = 0;; ++saddles) {
     EquilibriumReport report = solve_equilibrium(state, held, energy, options);
     report.work += work;
-    if (report.end != EquilibriumEnd::converged || saddles == most_saddles) return report;
+    if (report.end != EquilibriumEnd::converged) return report;
+    if (saddles == most_saddles) {
+      report.stable = false;  // as far as is known
+      return report;
+    }
     if (!leave_saddle(state, held, energy, options, length, report)) return report;
     work = report.work;
   }

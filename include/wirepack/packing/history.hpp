@@ -49,6 +49,7 @@ struct HistoryColumn {
   double HistoryRow::*value;
   bool integer = false;
   ColumnOf of = ColumnOf::every_run;
+  bool added_later = false;  ///< files of earlier formats may lack it
 };
 
 inline constexpr std::array<HistoryColumn, 25> history_columns{{
@@ -66,7 +67,7 @@ inline constexpr std::array<HistoryColumn, 25> history_columns{{
     {"energy_contact", "force length", &HistoryRow::energy_contact},
     {"snap_energy", "force length", &HistoryRow::snap_energy},
     {"residual", "YI/R^2", &HistoryRow::residual},
-    {"stable", "1", &HistoryRow::stable, true},
+    {"stable", "1", &HistoryRow::stable, true, ColumnOf::every_run, true},
     {"evaluations", "1", &HistoryRow::evaluations, true},
     {"contacts", "1", &HistoryRow::contacts, true},
     {"max_overlap", "length", &HistoryRow::max_overlap},
