@@ -15,6 +15,8 @@ namespace wirepack {
 
 namespace {
 
+constexpr Index largest_diagram = 100000;  // 70,000 of a loose spool take half a minute
+
 /// D(t) D(1/t) at 2 and 3: what no diagram changes but for the sign.
 struct Fingerprint {
   std::uint64_t at_two, at_three;
@@ -105,9 +107,10 @@ std::vector<Crossing> smallest_diagram(const Points& polygon) {
 
 KnotType knot_type(const Points& closed_polygon) {
   const std::vector<Crossing> diagram = smallest_diagram(simplified_polygon(closed_polygon));
+  const auto crossings = static_cast<Index>(diagram.size());
+  if (crossings > largest_diagram) return {.name = {}, .determinant = 0, .crossings = crossings};
   const auto value = [&](std::uint64_t t) { return alexander_polynomial(diagram, t); };
-  return {name_of(fingerprint(value)), static_cast<std::uint32_t>(value(prime - 1)),
-          static_cast<Index>(diagram.size())};
+  return {name_of(fingerprint(value)), static_cast<std::uint32_t>(value(prime - 1)), crossings};
 }
 
 Points closed_outside(const Points& nodes) {

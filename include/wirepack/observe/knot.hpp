@@ -18,7 +18,8 @@ struct KnotType {
   Index crossings = 0;            ///< of the diagram that was left after simplification
 };
 
-/// Of the closed polygon (3 x N). Corners that nothing passes through are cut off first (Koniaris &
+/// Of the closed polygon (3 x N). A knot left with more than 100,000 crossings has no name and the
+/// determinant 0, which no knot has. Corners that nothing passes through are cut off first (Koniaris &
 /// Muthukumar 1991; Taylor 2000); the rest is seen along the best of some directions, and D is the
 /// determinant of its Alexander matrix modulo a prime, at -1, 2, 1/2, 3, 1/3. Products D(t) D(1/t)
 /// do not depend on the diagram.
