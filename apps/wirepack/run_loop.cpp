@@ -59,7 +59,7 @@ class ProgressLine {
       text += fmt::format("  about {} left", shown_time(seconds * left / done));
     }
     // a line that is wrapped could not be cleared
-    std::fputs(("\r" + text.substr(0, terminal_columns - 1) + "\033[K").c_str(), stderr);
+    fmt::print(stderr, "\r{}\033[K", std::string_view(text).substr(0, terminal_columns - 1));
     dirty_ = true;
   }
 
