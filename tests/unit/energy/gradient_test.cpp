@@ -63,6 +63,16 @@ TEST(EnergyGradient, StretchMatchesDifferences) {
   }
 }
 
+TEST(EnergyGradient, of_edges_pressed_below_half_their_length_matches_differences) {
+  const RodParams params = curved_params();
+  StretchEnergy energy(params);
+  RodState state = random_rod(12, params, RodEnds{.last_clamped = true}, 3);
+  state.nodes *= 0.4;
+  state.inlet_rest_length = 0.8;
+  expect_exact_gradient(state, energy);
+  expect_exact_inlet_derivative(state, energy);
+}
+
 TEST(EnergyGradient, BendAndTwistMatchDifferencesForAllEnds) {
   for (const RodEnds& ends : all_ends()) {
     const RodParams params = curved_params();

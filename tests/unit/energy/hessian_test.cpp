@@ -99,6 +99,13 @@ TEST(Hessian, OfStretchIsExact) {
   }
 }
 
+TEST(Hessian, of_edges_pressed_below_half_their_length_is_exact) {
+  StretchEnergy energy(curved_params());
+  RodState state = bent_rod(curved_params(), RodEnds{});
+  state.nodes *= 0.4;
+  expect_exact_model(state, energy);
+}
+
 TEST(Hessian, OfBendAndTwistIsExactForAllEnds) {
   for (const RodEnds& ends : all_ends()) {
     JointEnergy energy(curved_params());
