@@ -65,7 +65,7 @@ GuardReport guard_energy(const FrameChart& chart, const Points& moves, double di
 Preconditioner preconditioner_at(const FrameChart& chart, const EnergyTerms& energy,
                                  const EquilibriumOptions& options, SolverWork& work) {
   const auto factored = [&](double exactness) {
-    return factored_hessian(shifted_hessian(chart, energy, options, exactness), options,
+    return factored_hessian(chart, shifted_hessian(chart, energy, options, exactness), options,
                             exactness == 0, work);
   };
   std::optional<Preconditioner> result = factored(options.exactness);

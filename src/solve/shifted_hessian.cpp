@@ -1,7 +1,5 @@
 #include "shifted_hessian.hpp"
 
-#include <algorithm>
-
 namespace wirepack {
 
 namespace {
@@ -10,6 +8,21 @@ namespace {
 double angle_shift(const EquilibriumOptions& options) {
   const double radian = options.moment_tolerance / options.force_tolerance;
   return options.shift * radian * radian;
+}
+
+// Shift that stands to the mean of the diagonal as the shifts of places and of angles stand, in the mean,
+// to their diagonals: places and angles have other units, and only such ratios know none.
+double typical_shift(const FrameChart& chart, const Eigen::SparseMatrix<double>& lower,
+                     const EquilibriumOptions& options) {
+  const Eigen::VectorXd diagonal = lower.diagonal();
+  double ratios = 0;
+  for (Index b = 0; b < chart.block_count(); ++b) {
+    for (int c = 0; c < 4; ++c) {
+      const Index u = chart.unknown(b, c);
+      if (u >= 0) ratios += diagonal[u] / (c < 3 ? options.shift : angle_shift(options));
+    }
+  }
+  return diagonal.sum() / ratios;
 }
 
 }  // namespace
@@ -21,14 +34,14 @@ Eigen::SparseMatrix<double> shifted_hessian(const FrameChart& chart, const Energ
   return model.lower_triangle(options.shift, angle_shift(options));
 }
 
-std::optional<Preconditioner> factored_hessian(const Eigen::SparseMatrix<double>& lower,
+std::optional<Preconditioner> factored_hessian(const FrameChart& chart,
+                                               const Eigen::SparseMatrix<double>& lower,
                                                const EquilibriumOptions& options, bool positive,
                                                SolverWork& work) {
   ++work.factorizations;
   const auto definiteness =
       positive ? Preconditioner::Definiteness::positive : Preconditioner::Definiteness::unknown;
-  return Preconditioner::factored(lower, std::min(options.shift, angle_shift(options)),
-                                  definiteness);
+  return Preconditioner::factored(lower, typical_shift(chart, lower, options), definiteness);
 }
 
 }  // namespace wirepack

@@ -13,7 +13,8 @@ Eigen::SparseMatrix<double> shifted_hessian(const FrameChart& chart, const Energ
                                             const EquilibriumOptions& options, double exactness);
 
 // Its factor; nothing where a pivot is not positive. `positive`: known to be positive definite.
-std::optional<Preconditioner> factored_hessian(const Eigen::SparseMatrix<double>& lower,
+std::optional<Preconditioner> factored_hessian(const FrameChart& chart,
+                                               const Eigen::SparseMatrix<double>& lower,
                                                const EquilibriumOptions& options, bool positive,
                                                SolverWork& work);
 

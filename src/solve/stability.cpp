@@ -125,13 +125,14 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
   work.list_builds += energy.prepare(chart.reference());
   Stability result;
   const Sparse hessian = shifted_hessian(chart, energy, options, 1);
-  auto factor = factored_hessian(hessian, options, false, work);
+  auto factor = factored_hessian(chart, hessian, options, false, work);
   if (!factor) {
-    factor = factored_hessian(shifted_hessian(chart, energy, options, 0), options, true, work);
+    factor =
+        factored_hessian(chart, shifted_hessian(chart, energy, options, 0), options, true, work);
     // beside very stiff contacts the small shift drowns in the rounding of the pivots
     if (!factor) {
-      factor = factored_hessian(shifted_hessian(chart, energy, preconditioned, 0), preconditioned,
-                                true, work);
+      factor = factored_hessian(chart, shifted_hessian(chart, energy, preconditioned, 0),
+                                preconditioned, true, work);
     }
     if (!factor) throw NumericalFailure("the curvature model is not positive definite");
     const Eigenpair lowest = lowest_eigenpair(hessian, *factor);
