@@ -164,7 +164,7 @@ Fitted fitted(const MeasuredPoints& given, const std::vector<Index>& kept,
   if (!fit.listed.order_may_be_wrong || options.model == ShapeModel::circle) return fit;
   const CurveSolution& solution = fit.solution;
   const bool told = options.model == ShapeModel::helix
-                        ? turns_of(solution) < 1.5 || tells_turns(solution)
+                        ? turns_of(solution) < 1 || tells_turns(solution)
                         : !may_join_turns(solution, uncertainty_of(fit.scale.points, solution));
   if (!told || !solution.converged) {
     throw InvalidInput(std::string("the points cannot tell the shape: ") + no_order);

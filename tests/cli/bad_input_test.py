@@ -32,7 +32,7 @@ class BadInput(ProgramTest):
             ("[cavity]\nradius = nan", "must be a finite number"),
             ("[cavity]\nradius = inf", "must be a finite number"),
             ("[cavity]\nradius = 1.5", "must be at least twice wire.radius"),
-            ("[wire]\npoisson_ratio = 0.7", "run.toml:2:1: wire.poisson_ratio = 0.7"),
+            ("[wire]\npoisson_ratio = -1", "run.toml:2:1: wire.poisson_ratio = -1"),
             ("[wire]\ndensity = 0", "must be positive and finite"),
             ("[wire]\nedge_length = -1", "wire.edge_length = -1: must be positive"),
             ("[wire]\nradius = 1e-31", "2:1: wire.radius = 1e-31: must be between 1e-30 and 1e30"),
