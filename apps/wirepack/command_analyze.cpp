@@ -8,6 +8,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/io/sweep_folder.hpp"
 #include "wirepack/observe/coil_report.hpp"
 #include "wirepack/packing/imperfection.hpp"
 
@@ -153,7 +154,7 @@ std::string json(const std::vector<Observed>& rows) {
 
 int analyze(const Options& options) {
   std::vector<Observed> rows;
-  for (const std::string& result : options.results) {
+  for (const std::string& result : results_named(options.results)) {
     std::vector<Observed> of_run = observe_run(result, options.densities);
     std::move(of_run.begin(), of_run.end(), std::back_inserter(rows));
   }
@@ -168,7 +169,8 @@ Command analyze_command(CLI::App& program) {
       "analyze", "Energies, force, order of the coils, twist and writhe of saved frames");
   app->set_help_flag("--help,-h", "This help");
   const auto options = std::make_shared<Options>();
-  app->add_option("RESULT.h5", options->results, "Results of wirepack run")->required();
+  app->add_option("RESULT.h5", options->results, "Results of wirepack run, or folders of sweeps")
+      ->required();
   app->add_option("--density", options->densities,
                   "The frames nearest to these packing densities, where a run has reached them, "
                   "instead of the last one")

@@ -27,12 +27,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string shown_time(double seconds) {
-  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
-  return fmt::format("{:.1f} h", seconds / 3600);
-}
-
 /// One line on a terminal that tells how far the run is.
 class ProgressLine {
  public:
@@ -70,6 +64,12 @@ class ProgressLine {
 };
 
 }  // namespace
+
+std::string shown_time(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
 
 void RunTotals::add(const HistoryRow& row) {
   largest_residual = std::max(largest_residual, row.residual);
@@ -113,7 +113,8 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
         }
         progress_line.show(row, seconds_since(start));
       }
-      bool flush_is_due = seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
+      bool flush_is_due = save_was_requested() ||
+                          seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
       if (advanced && packing.frame_is_due()) {
         take_frame();
         flush_is_due = true;

@@ -30,6 +30,9 @@ struct RunResult {
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
                      const RunTotals& before, std::FILE* table);
 
+/// A duration for people: "45 s", "12 min".
+std::string shown_time(double seconds);
+
 /// The result in numbers, as lines that start with '#'.
 std::string summary(const RunResult& result, const PackingProgress& progress,
                     const Scenario& scenario);
