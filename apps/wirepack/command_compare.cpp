@@ -11,6 +11,7 @@
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
+#include "wirepack/io/result_lock.hpp"
 #include "wirepack/packing/warnings.hpp"
 
 #include "command.hpp"
@@ -72,6 +73,7 @@ bool is_over(const PackingProgress& progress, const Scenario& scenario, const Hd
 
 /// Runs one way to its end, going on from a file that is there. False: a signal has stopped it.
 bool run(const Scenario& scenario, const std::filesystem::path& file, const Options& options) {
+  const ResultLock lock(file);
   if (!std::filesystem::exists(file)) {
     PackingRun packing(scenario);
     Hdf5Recorder recorder(file, scenario, options.command_line);

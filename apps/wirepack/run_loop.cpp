@@ -122,7 +122,8 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
         }
         progress_line.show(row, seconds_since(start));
       }
-      bool flush_is_due = seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
+      bool flush_is_due = save_was_requested() ||
+                          seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
       if (advanced && packing.frame_is_due()) {
         take_frame();
         flush_is_due = true;

@@ -9,9 +9,10 @@
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <utility>
 
 #include "wirepack/core/error.hpp"
+
+#include "file_descriptor.hpp"
 
 namespace wirepack {
 
@@ -24,28 +25,13 @@ constexpr std::string_view ending = ".tmp";
   throw FileError(file.string() + ": cannot be " + action + ": " + std::strerror(reason));
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-  int close() { return ::close(std::exchange(number_, -1)); }
-
- private:
-  int number_;
-};
-
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
 // Everything up to the rename; false with errno when a step fails.
 bool write_durably(const std::filesystem::path& file, const std::vector<char>& bytes) {
-  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (out.number() < 0) return false;
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t n = ::write(out.number(), bytes.data() + done, bytes.size() - done);
@@ -58,7 +44,7 @@ bool write_durably(const std::filesystem::path& file, const std::vector<char>& b
 }  // namespace
 
 std::vector<char> read_bytes(const std::filesystem::path& file) {
-  const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  const FileDescriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (in.number() < 0 || ::fstat(in.number(), &status) != 0) fail(file, "read");
   std::vector<char> bytes(static_cast<std::size_t>(status.st_size));
@@ -86,7 +72,7 @@ void replace_file(const std::filesystem::path& file, const std::vector<char>& by
   }
   // The new name itself must survive a power cut. Some file systems cannot sync folders; the file
   // is in place all the same.
-  const Descriptor folder(::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor folder(::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.number() >= 0) ::fsync(folder.number());
 }
 
