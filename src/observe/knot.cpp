@@ -15,7 +15,7 @@ namespace wirepack {
 
 namespace {
 
-constexpr Index largest_diagram = 100000;  // 70,000 of a loose spool take half a minute
+constexpr Index largest_diagram = 100000;  // crossings; 70,000 of a loose spool take minutes
 
 /// D(t) D(1/t) at 2 and 3: what no diagram changes but for the sign.
 struct Fingerprint {

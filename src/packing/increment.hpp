@@ -8,7 +8,8 @@
 
 namespace wirepack {
 
-// An increment that was tried. It changes nothing outside of itself.
+// An increment that was tried. The progress it started from stays as it was; the model keeps what only the
+// next start of friction and the next state replace: contacts with friction, and neighbor lists.
 struct Trial {
   PackingProgress progress;           // after the increment; useless where it failed
   std::optional<StopReason> failure;  // no equilibrium was found, or strands passed

@@ -128,6 +128,11 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
   auto factor = factored_hessian(hessian, options, false, work);
   if (!factor) {
     factor = factored_hessian(shifted_hessian(chart, energy, options, 0), options, true, work);
+    // beside very stiff contacts the small shift drowns in the rounding of the pivots
+    if (!factor) {
+      factor = factored_hessian(shifted_hessian(chart, energy, preconditioned, 0), preconditioned,
+                                true, work);
+    }
     if (!factor) throw NumericalFailure("the curvature model is not positive definite");
     const Eigenpair lowest = lowest_eigenpair(hessian, *factor);
     result.lowest_eigenvalue = lowest.value;

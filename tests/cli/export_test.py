@@ -338,7 +338,7 @@ class Export(ProgramTest):
             ("stl,ply", "run.h5", "--format", "obj", "-o", "out.obj"),
             (".stl", "run.h5", "--format", "stl", "-o", "out.ply"),
             ("no such frame", "run.h5", "--format", "stl", "-o", "out.stl", "--frame", "100000"),
-            ("ends at", "run.h5", "--format", "stl", "-o", "out.stl", "--density", "0.99"),
+            ("its frames are from", "run.h5", "--format", "stl", "-o", "out.stl", "--density", "0.99"),
             ("--density", "run.h5", "--format", "stl", "-o", "out.stl", "--density", "7"),
             ("no frames", "run.h5", "--format", "csv", "-o", "out.csv", "--frame", "1"),
             ("mhd", "run.h5", "--format", "stl", "-o", "out.stl", "--voxel", "1"),

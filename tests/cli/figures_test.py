@@ -49,7 +49,7 @@ class Figures(ProgramTest):
 
     def test_the_frame_is_the_one_that_was_asked_for(self):
         self.make_result()
-        for number, option in enumerate((("--frame", "1"), ("--density", "0.001"))):
+        for number, option in enumerate((("--frame", "1"), ("--density", "0.01"))):
             code, _, err = self.run_program(
                 "figures", "result.h5", "-o", f"early{number}", *option
             )

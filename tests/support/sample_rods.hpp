@@ -25,7 +25,7 @@ inline RodState random_rod(Index nodes, const RodParams& params, RodEnds ends, s
   const Vec3 wave = 0.2 * random_vector(random);
   Points points(3, nodes);
   Vec3 tangent = random_rotation(random) * Vec3::UnitZ();
-  Vec3 r = random_vector(random);
+  Vec3 r = params.edge_length * random_vector(random);
   for (Index i = 0; i < nodes; ++i) {
     points.col(i) = r;
     const Vec3 spin = turn + std::sin(0.7 * static_cast<double>(i)) * wave;

@@ -59,13 +59,14 @@ TEST(Equilibrium, is_the_same_in_any_unit_of_length) {
     const EquilibriumReport report =
         solve_equilibrium(rod, held, EnergyTerms{stretch, joints, load}, options);
     EXPECT_EQ(report.end, EquilibriumEnd::converged) << unit;
-    return std::pair(report.work.evaluations, report.energy / std::pow(unit, 3));
+    return report.energy / std::pow(unit, 3);
   };
-  const auto [evaluations, energy] = rest_in(1);
-  for (const double unit : {0x1p-30, 0x1p-10, 0x1p30}) {
-    EXPECT_EQ(rest_in(unit), std::pair(evaluations, energy)) << unit;
+  // Single or double precision of the factor is chosen by the mean of its diagonal, in which places and angles
+  // mix: the ways may differ, the equilibria do not. Packings are computed in units of their wire.
+  const double energy = rest_in(1);
+  for (const double unit : {0x1p-30, 0x1p-10, 0x1p30, 1e-9}) {
+    EXPECT_NEAR(rest_in(unit) / energy, 1, 1e-11) << unit;
   }
-  EXPECT_NEAR(rest_in(1e-9).second / energy, 1, 1e-9);
 }
 
 TEST(Equilibrium, GuardSlowsTheWayDownButRestIsTheSame) {
