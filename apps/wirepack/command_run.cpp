@@ -192,6 +192,7 @@ int run(RunOptions options) {
   const Scenario scenario = read_config(options.config, overrides);
   if (options.dry_run) return show_plan(scenario, declared_units(options.config, overrides));
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
+  catch_stop_signals();
   const OutputRules rules{config_inputs(options.config, overrides), options.force || options.resume,
                           "--resume goes on from it, --force replaces it"};
   output_file(options.output, rules);
@@ -204,7 +205,6 @@ int run(RunOptions options) {
   }
   // Asked again: another run may have made it before this one had the lock.
   options.output = output_file(options.output, rules).string();
-  catch_stop_signals();
   if (options.log.empty()) return run_locked(scenario, options);
   print_to(options.log);
   const int code = run_safely("wirepack run", [&] { return run_locked(scenario, options); });

@@ -189,7 +189,7 @@ bool run_here(const Survey& tasks, const std::vector<std::size_t>& chosen, const
     say(code < 0 ? fmt::format("{}: killed by signal {}", name, -code)
                  : fmt::format("{}: exit code {}", name, code));
   };
-  const bool whole = run_processes(commands, at_once, events);
+  const bool whole = run_processes(commands, ProcessKind::run, at_once, events);
   progress.clear();
   return whole;
 }
@@ -207,7 +207,7 @@ std::filesystem::path write_script(const Survey& tasks, const std::vector<std::s
 bool run_script(const std::filesystem::path& script) {
   int result = 0;
   PoolEvents events{[&result](std::size_t, int code) { result = code; }, [] {}};
-  const bool whole = run_processes({{"bash", script.string()}}, 1, events);
+  const bool whole = run_processes({{"bash", script.string()}}, ProcessKind::other, 1, events);
   if (whole && result != 0) say(fmt::format("{} ended with code {}", script.string(), result));
   return whole;
 }

@@ -1,6 +1,7 @@
 #include "process_pool.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -17,13 +18,15 @@ namespace wirepack {
 
 namespace {
 
+constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
+
 /// Holds back the signals that a pool waits for; those that are ignored stay so.
 class HeldSignals {
  public:
   HeldSignals() {
     sigemptyset(&held_);
     sigaddset(&held_, SIGCHLD);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int number : stop_signals) {
       struct sigaction action {};
       sigaction(number, nullptr, &action);
       if (action.sa_handler != SIG_IGN) sigaddset(&held_, number);
@@ -39,7 +42,14 @@ class HeldSignals {
     const timespec second{1, 0};
     return std::max(0, sigtimedwait(&held_, nullptr, &second));
   }
-  const sigset_t& before() const { return before_; }
+  /// What a process of this kind starts with.
+  sigset_t at_start(ProcessKind kind) const {
+    sigset_t held = before_;
+    for (const int number : stop_signals) {
+      if (kind == ProcessKind::run && sigismember(&held_, number) > 0) sigaddset(&held, number);
+    }
+    return held;
+  }
 
  private:
   sigset_t held_{}, before_{};
@@ -68,8 +78,8 @@ pid_t start(const std::vector<std::string>& command, const sigset_t& signals) {
 
 }  // namespace
 
-bool run_processes(const std::vector<std::vector<std::string>>& commands, int at_once,
-                   const PoolEvents& events) {
+bool run_processes(const std::vector<std::vector<std::string>>& commands, ProcessKind kind,
+                   int at_once, const PoolEvents& events) {
   const HeldSignals signals;
   std::map<pid_t, std::size_t> running;
   std::size_t next = 0;
@@ -89,7 +99,7 @@ bool run_processes(const std::vector<std::vector<std::string>>& commands, int at
   while (!running.empty() || (next < commands.size() && !stopped)) {
     while (!stopped && next < commands.size() &&
            running.size() < static_cast<std::size_t>(at_once)) {
-      running.emplace(start(commands[next], signals.before()), next);
+      running.emplace(start(commands[next], signals.at_start(kind)), next);
       ++next;
     }
     const int number = signals.wait();

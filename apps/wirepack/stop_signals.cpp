@@ -40,6 +40,11 @@ void catch_stop_signals() {
     catch_signal(number, note_stop_signal);
   }
   catch_signal(SIGUSR1, note_save_signal);
+  // Whoever starts a run may have held these back until now (see ProcessKind::run).
+  sigset_t caught;
+  sigemptyset(&caught);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&caught, number);
+  sigprocmask(SIG_UNBLOCK, &caught, nullptr);
 }
 
 bool stop_was_requested() { return stop_requested != 0; }

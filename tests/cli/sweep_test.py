@@ -2,6 +2,7 @@
 """Sweeps: whatever stops them, the same command ends in the bits of undisturbed runs."""
 
 import csv
+import json
 import os
 import resource
 import shutil
@@ -253,9 +254,12 @@ class TablesOverSeeds(SweepTest):
     def test_analyze_and_figures_take_the_folder_of_a_sweep(self):
         self.write("plan.toml", SHORT)
         self.run_program("sweep", "plan.toml", "-o", "out")
-        code, out, err = self.run_program("analyze", "out")
+        code, out, err = self.run_program("analyze", "out", "--json")
         self.assertEqual(code, 0, err)
-        self.assertEqual(len([line for line in out.splitlines() if line[0] == " "]), 12)
+        self.assertEqual(len({frame["run"] for frame in json.loads(out)["frames"]}), 12)
+        code, _, err = self.run_program("figures", "out", "-o", "drawn")
+        self.assertEqual(code, 0, err)
+        self.assertGreater(len(os.listdir(self.folder / "drawn")), 3)
 
 
 @unittest.skipUnless(shutil.which("parallel"), "GNU parallel is not installed")

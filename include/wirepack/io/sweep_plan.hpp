@@ -22,7 +22,7 @@ struct Sweep {
   std::vector<SweepTask> tasks;   ///< the last key varies fastest
 };
 
-/// The sweep of a TOML plan (data/docs/sweeps.md has the format): a configuration, with the file
+/// The sweep of a TOML plan (data/docs/sweep.md has the format): a configuration, with the file
 /// `base` below it if that is given, and in [sweep] the keys that vary: lists and ranges, all
 /// combinations of which are run; [[sweep.zip]], whose lists go together; [sweep.cases.NAME].
 /// Names of files are relative to the folder of the plan, those in the base to the base's.

@@ -5,7 +5,7 @@
 
 namespace wirepack {
 
-/// Tables of a sweep as CSV, in its folder under tables/ (data/docs/sweeps.md has the columns):
+/// Tables of a sweep as CSV, in its folder under tables/ (data/docs/sweep.md has the columns):
 ///   runs.csv    a line for each task: its keys, state and last increment
 ///   seeds.csv   the same over the seeds: mean, standard deviation, smallest and largest
 ///   curves.csv  force and energies against the packing density, over the seeds
