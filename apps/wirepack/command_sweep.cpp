@@ -12,6 +12,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/sweep_folder.hpp"
+#include "wirepack/io/sweep_page.hpp"
 #include "wirepack/io/sweep_plan.hpp"
 #include "wirepack/io/sweep_script.hpp"
 #include "wirepack/io/sweep_status.hpp"
@@ -33,7 +34,7 @@ struct Options {
   Executor executor = Executor::local;
   std::optional<SweepEngine> emit;
   int jobs = 0;
-  bool dry_run = false;
+  bool dry_run = false, page = false;
   SweepScriptOptions script;
 };
 
@@ -80,7 +81,7 @@ std::string remark(const TaskStatus& task) {
                                          : reason;
 }
 
-int show_status(const std::filesystem::path& folder) {
+int show_status(const std::filesystem::path& folder, bool page) {
   const Survey tasks = survey(folder);
   const std::vector<double> left = seconds_left(tasks.status);
   std::size_t width = 5;
@@ -103,6 +104,12 @@ int show_status(const std::filesystem::path& folder) {
     text += fmt::format("# {} is of an earlier plan\n", name);
   }
   std::fputs(text.c_str(), stdout);
+  if (!page) return exit_done;
+  std::vector<SweepPageTask> lines;
+  for (std::size_t k = 0; k < tasks.status.size(); ++k) {
+    lines.push_back({tasks.list.tasks[k].name, tasks.status[k], left[k]});
+  }
+  say(write_sweep_page(folder, counts(tasks), lines).string() + " is written");
   return exit_done;
 }
 
@@ -261,7 +268,7 @@ Sweep planned(const Options& options) {
 }
 
 int sweep(Options options) {
-  if (!options.status.empty()) return show_status(options.status);
+  if (!options.status.empty()) return show_status(options.status, options.page);
   if (!options.collect.empty()) return collect(options.collect);
   const Sweep plan = planned(options);
   if (options.dry_run) {
@@ -333,8 +340,12 @@ Command sweep_command(CLI::App& program) {
       ->check(CLI::Range(0, 100000))
       ->capture_default_str();
   app->add_flag("--dry-run", options->dry_run, "Prints the tasks and writes nothing");
-  app->add_option("--status", options->status, "Prints what has become of the tasks of a folder")
-      ->type_name("DIR");
+  CLI::Option* status = app->add_option("--status", options->status,
+                                        "Prints what has become of the tasks of a folder")
+                            ->type_name("DIR");
+  app->add_flag("--page", options->page,
+                "With --status: writes DIR/status.html with small pictures and curves, too")
+      ->needs(status);
   app->add_option("--collect", options->collect, "Writes tables over the seeds, as CSV")
       ->type_name("DIR");
   app->footer(

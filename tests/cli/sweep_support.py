@@ -2,6 +2,7 @@
 
 import os
 import re
+import subprocess
 import tempfile
 import time
 
@@ -27,10 +28,40 @@ packing.seed = { from = 1, to = 3 }
 TASKS = 18
 
 
+class SmallDisk:
+    """A file system of its own in memory, which a file of the test's fills up."""
+
+    def __init__(self, folder):
+        self.ballast = folder / "ballast"
+        folder.mkdir()
+        mount = ["mount", "-t", "tmpfs", "-o", "size=64m", "tmpfs", str(folder)]
+        self.mounted = subprocess.run(mount, capture_output=True, check=False).returncode == 0
+        self.folder = folder
+
+    def fill(self):
+        """Leaves room for a log and not for a result."""
+        size = os.statvfs(self.folder)
+        free = size.f_bavail * size.f_frsize
+        self.ballast.write_bytes(bytes(free - 100_000))
+
+    def empty(self):
+        self.ballast.unlink()
+
+    def unmount(self):
+        subprocess.run(["umount", str(self.folder)], check=True)
+
+
 class SweepTest(ProgramTest):
     def setUp(self):
         super().setUp()
         self.write("plan.toml", PLAN)
+
+    def small_disk(self, name):
+        disk = SmallDisk(self.folder / name)
+        if not disk.mounted:
+            self.skipTest("needs the right to mount a small file system")
+        self.addCleanup(disk.unmount)
+        return disk
 
     def tasks(self, folder):
         return sorted(path.parent for path in (self.folder / folder).glob("*/config.toml"))
