@@ -153,17 +153,20 @@ int resume(const Scenario& scenario, const RunOptions& options) {
   // Another run may have brought it to its end before this one had the lock.
   if (const auto code = exit_code_at_end(scenario, options)) return *code;
   const Hdf5Reader reader(options.output);
-  RunTotals totals;
-  for (const HistoryRow& row : reader.history()) totals.add(row);
-  PackingProgress progress = reader.progress();
+  if (const std::string damage = reader.damage(); !damage.empty()) {
+    say(damage + "; the checkpoint before is taken");
+  }
+  PackingProgress progress = place_to_go_on(reader);
+  const RunTotals totals = totals_of(reader.history(), progress.last.increment);
   std::string history = reader.note("search_changes");
   for (const std::string& change : changed_search(reader, scenario)) {
     history += fmt::format("{}after increment {:.0f}: {}", history.empty() ? "" : "\n",
                            progress.last.increment, change);
   }
   say(fmt::format("{}: going on after increment {:.0f}", options.output, progress.last.increment));
+  Hdf5Recorder recorder =
+      Hdf5Recorder::continuing(options.output, scenario, options.command_line, progress);
   PackingRun packing(scenario, std::move(progress));
-  Hdf5Recorder recorder = Hdf5Recorder::continuing(options.output, scenario, options.command_line);
   if (!history.empty()) recorder.note("search_changes", history);
   return finish(packing, recorder, scenario, totals, options);
 }

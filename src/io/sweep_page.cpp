@@ -20,7 +20,8 @@ constexpr double height = 90, curve_width = 160;
 // Forces F R^2/YI that a curve spans.
 constexpr double weakest = 0.01, strongest = 100;
 
-constexpr std::string_view head = R"HTML(<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"/>
+constexpr std::string_view head =
+    R"HTML(<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width"/><title>Sweep</title><style>
 body{font:15px sans-serif;max-width:80em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}
 td,th{padding:.3em .8em;border-bottom:1px solid #ddd;text-align:right;vertical-align:middle}
