@@ -19,6 +19,7 @@
 #include "run_advice.hpp"
 #include "run_loop.hpp"
 #include "stop_signals.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -32,9 +33,7 @@ struct Options {
   bool force = false;
 };
 
-void say(const std::string& message) {
-  std::fputs(("wirepack compare: " + message + "\n").c_str(), stderr);
-}
+void say(const std::string& message) { print_message("wirepack compare: " + message); }
 
 std::vector<ConfigOverride> overrides_of(const Options& options) {
   std::vector<ConfigOverride> overrides;
@@ -141,7 +140,7 @@ int compare_ways(const Options& options) {
   write_comparison(folder, std::filesystem::path(options.config).filename().string(),
                    resolved_config(scenario), runs, comparison);
   std::fputs(comparison_table(comparison).c_str(), stdout);
-  fmt::print("# {}\n", (folder / "comparison.html").string());
+  print_lines(fmt::format("# {}\n", (folder / "comparison.html").string()));
   return exit_done;
 }
 

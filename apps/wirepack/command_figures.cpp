@@ -13,6 +13,7 @@
 
 #include "command.hpp"
 #include "frame_choice.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -67,7 +68,7 @@ int draw(const Options& options) {
   draw_section(folder, runs.front().scenario, last);
   draw_force(folder, runs);
   draw_energy(folder, runs);
-  for (const std::string& name : names) fmt::print("{}\n", (folder / (name + ".png")).string());
+  for (const std::string& name : names) print_lines((folder / (name + ".png")).string() + "\n");
   return exit_done;
 }
 

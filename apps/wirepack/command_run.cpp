@@ -26,6 +26,7 @@
 #include "run_advice.hpp"
 #include "run_loop.hpp"
 #include "stop_signals.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -38,9 +39,7 @@ struct RunOptions {
   int threads = 1;
 };
 
-void say(const std::string& message) {
-  std::fputs(("wirepack run: " + message + "\n").c_str(), stderr);
-}
+void say(const std::string& message) { print_message("wirepack run: " + message); }
 
 std::vector<ConfigOverride> overrides_of(const RunOptions& options) {
   std::vector<ConfigOverride> overrides;
@@ -69,7 +68,7 @@ int show_plan(const Scenario& scenario, const DeclaredUnits& names) {
       shown_energy(units_of(scenario).scaled_energy(), names), length,
       packing_density(length, scenario.cavity, scenario.wire.radius), run.nodes, run.increments,
       run.frames, run.bytes / 1e6, shown_time(run.seconds));
-  std::fputs(text.c_str(), stdout);
+  print_lines(text);
   say_warnings("run", warnings(scenario, length));
   return exit_done;
 }
@@ -96,8 +95,8 @@ int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario
     say("nobody reads the table any more; " + saved + "; --resume goes on from there");
     return exit_stopped_by_signal;
   }
-  std::fputs(summary(result, progress, scenario, names).c_str(), stdout);
-  std::fputs(next_step(result.stop, options.output).c_str(), stdout);
+  print_lines(summary(result, progress, scenario, names));
+  print_lines(next_step(result.stop, options.output));
   std::fflush(stdout);
   say_warnings("run", result.warnings);
   if (!result.stop) {
@@ -193,6 +192,7 @@ int run(RunOptions options) {
   use_threads(options.threads);
   const std::vector<ConfigOverride> overrides = overrides_of(options);
   const Scenario scenario = read_config(options.config, overrides);
+  require_possible(scenario, expected_length(scenario));
   if (options.dry_run) return show_plan(scenario, declared_units(options.config, overrides));
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
   catch_stop_signals();

@@ -20,8 +20,10 @@
 
 #include "command.hpp"
 #include "process_pool.hpp"
+#include "run_advice.hpp"
 #include "run_loop.hpp"
 #include "sweep_cost.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -38,9 +40,7 @@ struct Options {
   SweepScriptOptions script;
 };
 
-void say(const std::string& message) {
-  std::fputs(("wirepack sweep: " + message + "\n").c_str(), stderr);
-}
+void say(const std::string& message) { print_message("wirepack sweep: " + message); }
 
 /// All tasks of a folder, in the order of its list.
 struct Survey {
@@ -103,7 +103,7 @@ int show_status(const std::filesystem::path& folder, bool page) {
   for (const std::string& name : tasks_beyond(tasks.list, folder)) {
     text += fmt::format("# {} is of an earlier plan\n", name);
   }
-  std::fputs(text.c_str(), stdout);
+  print_lines(text);
   if (!page) return exit_done;
   std::vector<SweepPageTask> lines;
   for (std::size_t k = 0; k < tasks.status.size(); ++k) {
@@ -115,7 +115,7 @@ int show_status(const std::filesystem::path& folder, bool page) {
 
 int collect(const std::filesystem::path& folder) {
   for (const std::filesystem::path& file : write_sweep_tables(folder)) {
-    fmt::print("{}\n", file.string());
+    print_lines(file.string() + "\n");
   }
   return exit_done;
 }
@@ -260,6 +260,9 @@ int finish(bool stopped, const Options& options) {
 Sweep planned(const Options& options) {
   if (options.plan.empty()) throw InvalidInput("PLAN.toml is needed, or --status or --collect");
   Sweep sweep = read_sweep(options.plan);
+  for (const SweepTask& task : sweep.tasks) {
+    require_possible(task.scenario, expected_length(task.scenario));
+  }
   // Long tasks first: the last ones to end are short.
   std::stable_sort(sweep.tasks.begin(), sweep.tasks.end(), [](const auto& a, const auto& b) {
     return expected_cost(a.scenario) > expected_cost(b.scenario);
@@ -285,7 +288,7 @@ int sweep(Options options) {
   std::copy_if(all.begin(), all.end(), std::back_inserter(open),
                [&](std::size_t k) { return can_go_on(tasks.status[k].state); });
   if (options.emit) {
-    fmt::print("{}\n", write_script(tasks, open, *options.emit, options).string());
+    print_lines(write_script(tasks, open, *options.emit, options).string() + "\n");
     return exit_done;
   }
   if (open.empty()) return finish(false, options);

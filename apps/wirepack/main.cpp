@@ -14,6 +14,7 @@
 #include "wirepack/core/version.hpp"
 
 #include "command.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -51,7 +52,7 @@ constexpr const char* own_fault =
     "has failed by a fault of its own; please report the command and its configuration";
 
 int report(const std::string& name, const std::exception& error, int code) {
-  std::fputs((name + ": " + error.what() + "\n").c_str(), stderr);
+  print_message(name + ": " + error.what());
   return code;
 }
 
@@ -130,7 +131,7 @@ int run_program(int count, char** arguments) {
     std::string name = "wirepack";
     for (const CLI::App* chosen : program.get_subcommands()) name += " " + chosen->get_name();
     const std::string text = explain(error, program, count, arguments);
-    std::fputs((name + ": " + text + "; see " + name + " --help\n").c_str(), stderr);
+    print_message(name + ": " + text + "; see " + name + " --help");
     return exit_bad_input;
   }
   for (const Command& command : commands) {

@@ -1,11 +1,13 @@
 #include "atomic_file.hpp"
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -18,7 +20,14 @@ namespace wirepack {
 
 namespace {
 
-constexpr std::string_view ending = ".tmp";
+// Short, so that the longest name of a result has room for it; hidden, as it is there for moments.
+constexpr std::string_view beginning = ".wirepack-", ending = ".tmp";
+
+std::string beginning_on_this_host() {
+  std::array<char, 100> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("{}{}-", beginning, host.data());
+}
 
 [[noreturn]] void fail(const std::filesystem::path& file, const char* action) {
   const int reason = errno;
@@ -29,10 +38,21 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+// Rights and owner of a file are the user's business; where they cannot be given, it stays ours.
+void take_over_rights(const std::filesystem::path& from, int descriptor) {
+  struct stat status {};
+  if (::stat(from.c_str(), &status) != 0) return;
+  const bool owned = ::fchown(descriptor, status.st_uid, status.st_gid) == 0;
+  static_cast<void>(owned);
+  ::fchmod(descriptor, status.st_mode & 0777);
+}
+
 // Everything up to the rename; false with errno when a step fails.
-bool write_durably(const std::filesystem::path& file, const std::vector<char>& bytes) {
+bool write_durably(const std::filesystem::path& file, const std::filesystem::path& target,
+                   const std::vector<char>& bytes) {
   FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (out.number() < 0) return false;
+  take_over_rights(target, out.number());
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t n = ::write(out.number(), bytes.data() + done, bytes.size() - done);
     if (n < 0 && errno != EINTR) return false;
@@ -58,13 +78,11 @@ std::vector<char> read_bytes(const std::filesystem::path& file) {
 }
 
 void replace_file(const std::filesystem::path& file, const std::vector<char>& bytes) {
-  // The number of the process keeps two runs that wrongly share a target from mixing their bytes.
-  std::filesystem::path temporary = file;
-  temporary += ".";
-  temporary += std::to_string(::getpid());
-  temporary += ending;
+  // Host and process keep runs that share a folder from mixing their bytes.
+  const std::filesystem::path temporary =
+      folder_of(file) / fmt::format("{}{}{}", beginning_on_this_host(), ::getpid(), ending);
   ::unlink(temporary.c_str());
-  if (!write_durably(temporary, bytes) || ::rename(temporary.c_str(), file.c_str()) != 0) {
+  if (!write_durably(temporary, file, bytes) || ::rename(temporary.c_str(), file.c_str()) != 0) {
     const int reason = errno;
     ::unlink(temporary.c_str());
     errno = reason;
@@ -77,7 +95,7 @@ void replace_file(const std::filesystem::path& file, const std::vector<char>& by
 }
 
 void remove_leftovers(const std::filesystem::path& file) {
-  const std::string start = file.filename().string() + ".";
+  const std::string start = beginning_on_this_host();
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder_of(file), ignored)) {
     const std::string name = entry.path().filename().string();

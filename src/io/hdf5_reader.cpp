@@ -11,6 +11,7 @@
 #include "wirepack/packing/own_units.hpp"
 
 #include "checkpoint.hpp"
+#include "config_text.hpp"
 #include "hdf5_checksum.hpp"
 #include "hdf5_safety.hpp"
 #include "hdf5_values.hpp"
@@ -263,7 +264,15 @@ std::string Hdf5Reader::config() const {
 
 Scenario Hdf5Reader::scenario() const {
   try {
-    return parse_config(config(), "config");
+    const std::string text = config();
+    // Shapes are written out in a result, so that nothing but the result itself is read.
+    for (const GivenKey& key : read_config_text(text, "config", {}).keys) {
+      if (key.name == "reference_shape" && key.value &&
+          std::holds_alternative<std::string>(*key.value)) {
+        throw InvalidInput(key.where + ": wire.reference_shape is the name of a file");
+      }
+    }
+    return parse_config(text, "config");
   } catch (const InvalidInput& error) {
     throw FileError(opened_->name +
                     ": its configuration is not one of this version: " + error.what());

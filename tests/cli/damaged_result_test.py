@@ -4,12 +4,14 @@
 import os
 import random
 import shutil
+import subprocess
 import unittest
+import xml.etree.ElementTree
 
 import h5py
 import numpy
 
-from support import ProgramTest, SMALL_RUN, differing
+from support import PROGRAM, ProgramTest, SMALL_RUN, differing
 
 FRICTION = ["--set", "friction.model=coulomb"]
 
@@ -196,6 +198,32 @@ class Damage(ResultTest):
         self.assertEqual(self.bad.read_bytes(), before)
 
 
+class Names(ResultTest):
+    def test_the_name_of_a_result_commands_neither_terminals_nor_gnuplot_nor_pages(self):
+        name = b"a\x1b[31m\xff\n';system 'touch pwned';<script>'.h5"
+        os.rename(self.whole, os.fsencode(self.folder) + b"/" + name)
+        for command in (
+            ["analyze", os.fsdecode(name)],
+            ["figures", os.fsdecode(name), "-o", "drawn"],
+            ["export", os.fsdecode(name), "--format", "xdmf", "-o", "out.xdmf"],
+            ["view", os.fsdecode(name), "-o", "out.html"],
+            ["run", "run.toml", "-o", os.fsdecode(name), *FRICTION, "--resume"],
+        ):
+            process = subprocess.run(
+                [PROGRAM, *command], cwd=self.folder, capture_output=True, check=False
+            )
+            self.assertEqual(process.returncode, 0, process.stderr)
+            for said in (process.stdout, process.stderr):
+                self.assertEqual(set(said) & (set(range(32)) - set(b"\n")), set(), command)
+                said.decode()
+        self.assertEqual(list(self.folder.glob("**/pwned")), [])
+        xml.etree.ElementTree.parse(self.folder / "out.xdmf")
+        self.assertNotIn(b"<script>'", (self.folder / "out.html").read_bytes())
+        for script in self.folder.glob("drawn/*.gp"):
+            lines = script.read_text().splitlines()
+            self.assertEqual([line for line in lines if line.startswith("'")], [])
+
+
 class Believed(ResultTest):
     """Values with checksums that fit, in a file of format version 2, which has none."""
 
@@ -232,6 +260,19 @@ class Believed(ResultTest):
 
                 self.edit(all_of_it)
                 self.check_refused(what)
+
+    def test_no_file_is_read_that_the_configuration_of_a_result_names(self):
+        os.mkfifo(self.folder / "fifo")
+
+        def name_a_file(file):
+            self.make_version_2(file)
+            shaped = '[wire]\nreference_shape = "fifo"\n'
+            file.attrs["config"] = file.attrs["config"].replace("[wire]\n", shaped)
+
+        self.edit(name_a_file)
+        code, out, err = self.run_program("analyze", "bad.h5", timeout=20)
+        self.assertEqual((code, out), (5, ""), err)
+        self.assertIn("wire.reference_shape is the name of a file", err)
 
     def test_a_file_of_format_version_2_goes_on(self):
         longer = ["--set", "stop.increments=40"]

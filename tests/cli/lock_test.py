@@ -4,6 +4,8 @@
 import os
 import resource
 import signal
+import socket
+import subprocess
 import time
 import unittest
 
@@ -79,6 +81,41 @@ class OneWriter(RunTest):
         self.assertEqual(code, 5)
         self.assertIn("out.h5.lock: is in the way", err)
         self.assertEqual((self.folder / "out.h5.lock").read_text(), "something of the user")
+
+
+class Saving(RunTest):
+    def run_whole(self, *arguments, **options):
+        code, _, err = self.run_program("run", "run.toml", "-o", "out.h5", *arguments, **options)
+        self.assertEqual(code, 0, err)
+
+    def test_rights_of_a_file_survive_a_save(self):
+        self.run_whole("--set", "stop.increments=10")
+        for mode in (0o640, 0o666):
+            (self.folder / "out.h5").chmod(mode)
+            self.run_whole("--resume", "--set", f"stop.increments={mode // 20}")
+            self.assertEqual((self.folder / "out.h5").stat().st_mode & 0o7777, mode)
+
+    def test_only_temporary_files_that_are_surely_of_a_dead_run_are_removed(self):
+        self.run_whole("--set", "stop.increments=10")
+        ended = subprocess.Popen(["true"])
+        ended.wait()
+        host = socket.gethostname()
+        others = [
+            f"out.h5.{ended.pid}.tmp",
+            f".wirepack-elsewhere-{ended.pid}.tmp",
+            f".wirepack-{host}-{os.getpid()}.tmp",
+            f".wirepack-{host}-mine.tmp",
+        ]
+        for name in [*others, f".wirepack-{host}-{ended.pid}.tmp"]:
+            self.write(name, "")
+        self.run_whole("--resume")
+        self.assertEqual(self.names(), sorted([*others, "out.h5", "run.toml"]))
+
+    def test_the_longest_name_that_leaves_room_for_the_lock_can_be_saved(self):
+        name = "a" * 247 + ".h5"
+        code, _, err = self.run_program("run", "run.toml", "-o", name, "--set", "stop.increments=5")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(self.names(), [name, "run.toml"])
 
 
 class Log(RunTest):

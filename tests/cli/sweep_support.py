@@ -87,10 +87,13 @@ class SweepTest(ProgramTest):
 
     def wait_for_done(self, folder, count, process):
         """Returns when so many tasks are done, or the process has ended."""
-        while process.poll() is None:
-            logs = (self.folder / folder).glob("*/run.log")
-            if sum(log.read_text().endswith("exit code 0\n") for log in logs) >= count:
-                return
+        ended = lambda log: log.read_text().endswith("exit code 0\n")
+        self.wait_for(
+            lambda: sum(map(ended, (self.folder / folder).glob("*/run.log"))) >= count, process
+        )
+
+    def wait_for(self, reached, process):
+        while process.poll() is None and not reached():
             time.sleep(0.01)
 
     def check_same_bits(self, one, other):
