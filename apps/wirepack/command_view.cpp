@@ -7,6 +7,7 @@
 #include "wirepack/io/view_page.hpp"
 
 #include "command.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -34,7 +35,7 @@ void require_free(const std::string& page, const std::string& result, bool force
 int view(const Options& options) {
   require_free(options.page, options.result, options.force);
   write_view_page(options.result, options.page, options.frames);
-  fmt::print("{}\n", options.page);
+  print_lines(options.page + "\n");
   return exit_done;
 }
 

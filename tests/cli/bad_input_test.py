@@ -48,6 +48,18 @@ class BadInput(ProgramTest):
             with self.subTest(text):
                 self.refuse_config(text, allowed)
 
+    def test_runs_that_no_machine_can_do_are_refused_with_an_estimate(self):
+        for text in (
+            "[cavity]\nradius = 1000",
+            "[cavity]\nradius = 10\n[output]\nframe_every_density = 1e-12",
+        ):
+            parts = ["a run at R = 10", " is impossible: about ", " nodes", " GB", "years", "stop"]
+            self.refuse_config(text, *parts)
+            self.refuse(["run", "run.toml", "--dry-run"], *parts)
+        self.write("run.toml", "[cavity]\nradius = 1000\n[stop]\nlength = 100")
+        code, out, err = self.run_program("run", "run.toml", "--dry-run")
+        self.assertEqual(code, 0, err)
+
     def test_wrong_types(self):
         for text, allowed in [
             ('[cavity]\nradius = "5"', "run.toml:2:1: cavity.radius = \"5\": must be a finite number"),
