@@ -18,7 +18,7 @@ from pathlib import Path
 import h5py
 import numpy
 
-FORMAT_VERSIONS = (1, 2)  # they differ in the checkpoint, which is not read here
+FORMAT_VERSIONS = (1, 2, 3)  # they differ in the checkpoint and checksums, which are not read here
 FAILURES = ("no_equilibrium", "strands_passed")
 FRAME_ARRAYS = {"position": "length", "quaternion": "1", "bend_energy": "force length",
                 "twist_energy": "force length", "wall_force": "force", "contact_pairs": "1",

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "wirepack/core/plain_text.hpp"
+
 #include "analysis.hpp"
 
 namespace wirepack {
@@ -75,7 +77,7 @@ std::string frames_text(const std::vector<AnalysedRun>& runs) {
   for (const AnalysedRun& run : runs) {
     for (const ObservedFrame& frame : run.frames) {
       std::vector<std::string>& column = rows.columns.emplace_back();
-      column.push_back(run.name);
+      column.push_back(plain_text(run.name));
       for (const Quantity& q : frame_quantities()) column.push_back(cell(q, q.of(frame)));
       column.push_back(frame.knot.name.empty() ? "not in the table" : frame.knot.name);
     }
@@ -92,8 +94,8 @@ std::string levels_text(const std::vector<AnalysedRun>& runs) {
       "# phi_max: packing density where the force first reaches a level;\n"
       "# 'first' in one row of the history, 'mean' over the last edge length fed\n";
   for (const AnalysedRun& run : runs) {
-    text += fmt::format("# {}\n{:<{}}  {:>10}  {:>10}\n", run.name, "# level", name_width, "first",
-                        "mean");
+    text += fmt::format("# {}\n{:<{}}  {:>10}  {:>10}\n", plain_text(run.name), "# level",
+                        name_width, "first", "mean");
     for (const LevelDensity& l : run.levels) {
       text += fmt::format("{:<{}}  {:>10.6f}  {:>10}\n", level_name(l.scale, l.level), name_width,
                           l.first, l.mean ? fmt::format("{:.6f}", *l.mean) : "-");
@@ -104,7 +106,8 @@ std::string levels_text(const std::vector<AnalysedRun>& runs) {
 
 std::string names_of(const Ensemble& ensemble, const std::vector<AnalysedRun>& runs) {
   std::string names;
-  for (const std::size_t k : ensemble.runs) names += (names.empty() ? "" : ", ") + runs[k].name;
+  for (const std::size_t k : ensemble.runs)
+    names += (names.empty() ? "" : ", ") + plain_text(runs[k].name);
   return names;
 }
 

@@ -23,6 +23,10 @@ struct Command {
   std::function<int()> run;
 };
 
+/// Runs a part of the program and gives its exit code; of an error, which is told on stderr behind the
+/// name, the code that belongs to it.
+int run_safely(const std::string& name, const std::function<int()>& run);
+
 /// `command_line` is what the program was called with, for the provenance of results.
 Command run_command(CLI::App& program, const std::string& command_line);
 Command verify_command(CLI::App& program);
@@ -31,6 +35,7 @@ Command compare_command(CLI::App& program, const std::string& command_line);
 Command analyze_command(CLI::App& program);
 Command export_command(CLI::App& program);
 Command fit_command(CLI::App& program, const std::string& command_line);
+Command sweep_command(CLI::App& program);
 Command view_command(CLI::App& program);
 
 }  // namespace wirepack

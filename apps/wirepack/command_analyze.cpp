@@ -11,6 +11,7 @@
 #include "analysis.hpp"
 #include "command.hpp"
 #include "frame_choice.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -54,7 +55,7 @@ AnalysedRun analyse(const std::string& file, const std::vector<double>& densitie
   const auto observe = [&](std::int64_t increment) {
     PackingFrame frame = reader.frame(increment);
     if (frame.rod.edge_count() > 5000) {
-      fmt::print(stderr, "{}: all pairs of {} edges ...\n", file, frame.rod.edge_count());
+      print_message(fmt::format("{}: all pairs of {} edges ...", file, frame.rod.edge_count()));
     }
     run.frames.push_back(observe_frame(
         file, run.scenario, row_of_increment(history, file, increment), std::move(frame)));
@@ -64,7 +65,7 @@ AnalysedRun analyse(const std::string& file, const std::vector<double>& densitie
     try {
       observe(frame_at_density(reader, file, history, density));
     } catch (const InvalidInput& beyond) {
-      fmt::print(stderr, "{}\n", beyond.what());
+      print_message(beyond.what());
     }
   }
   return run;
@@ -78,9 +79,9 @@ int analyze(const Options& options) {
     empty = empty && runs.back().frames.empty();
   }
   if (empty) throw InvalidInput("--density: no run has a frame there");
-  fmt::print("{}", options.json  ? analysis_json(runs)
-                   : options.csv ? analysis_csv(runs)
-                                 : analysis_table(runs));
+  print_lines(options.json  ? analysis_json(runs)
+              : options.csv ? analysis_csv(runs)
+                            : analysis_table(runs));
   return exit_done;
 }
 

@@ -11,12 +11,15 @@
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
+#include "wirepack/io/result_end.hpp"
+#include "wirepack/io/result_lock.hpp"
 #include "wirepack/packing/warnings.hpp"
 
 #include "command.hpp"
 #include "run_advice.hpp"
 #include "run_loop.hpp"
 #include "stop_signals.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -30,9 +33,7 @@ struct Options {
   bool force = false;
 };
 
-void say(const std::string& message) {
-  std::fputs(("wirepack compare: " + message + "\n").c_str(), stderr);
-}
+void say(const std::string& message) { print_message("wirepack compare: " + message); }
 
 std::vector<ConfigOverride> overrides_of(const Options& options) {
   std::vector<ConfigOverride> overrides;
@@ -62,16 +63,9 @@ Scenario scenario_of(const Options& options) {
   return scenario;
 }
 
-// A run that has reached its density goes on to a larger one; one that was lost stays so.
-bool is_over(const PackingProgress& progress, const Scenario& scenario, const Hdf5Reader& reader) {
-  const std::string reason = reader.stop_reason();
-  return reason == name_of(StopReason::no_equilibrium) ||
-         reason == name_of(StopReason::strands_passed) ||
-         reached_limit(in_own_units(scenario), progress);
-}
-
 /// Runs one way to its end, going on from a file that is there. False: a signal has stopped it.
 bool run(const Scenario& scenario, const std::filesystem::path& file, const Options& options) {
+  const ResultLock lock(file);
   if (!std::filesystem::exists(file)) {
     PackingRun packing(scenario);
     Hdf5Recorder recorder(file, scenario, options.command_line);
@@ -82,12 +76,12 @@ bool run(const Scenario& scenario, const std::filesystem::path& file, const Opti
     throw InvalidInput(fmt::format("{} is of another configuration: {}; give another folder",
                                    file.string(), *conflict));
   }
-  PackingProgress progress = reader.progress();
-  if (is_over(progress, scenario, reader)) return true;
-  RunTotals totals;
-  for (const HistoryRow& row : reader.history()) totals.add(row);
+  // one that has reached its density goes on to a larger one; one that was lost stays so
+  if (end_of(reader, scenario)) return true;
+  PackingProgress progress = place_to_go_on(reader);
+  const RunTotals totals = totals_of(reader.history(), progress.last.increment);
+  Hdf5Recorder recorder = Hdf5Recorder::continuing(file, scenario, options.command_line, progress);
   PackingRun packing(scenario, std::move(progress));
-  Hdf5Recorder recorder = Hdf5Recorder::continuing(file, scenario, options.command_line);
   return record_run(packing, recorder, scenario, totals, nullptr).stop.has_value();
 }
 
@@ -146,7 +140,7 @@ int compare_ways(const Options& options) {
   write_comparison(folder, std::filesystem::path(options.config).filename().string(),
                    resolved_config(scenario), runs, comparison);
   std::fputs(comparison_table(comparison).c_str(), stdout);
-  fmt::print("# {}\n", (folder / "comparison.html").string());
+  print_lines(fmt::format("# {}\n", (folder / "comparison.html").string()));
   return exit_done;
 }
 

@@ -13,6 +13,7 @@
 
 #include "command.hpp"
 #include "frame_choice.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -111,7 +112,7 @@ int write_export(const Options& options) {
   ExportedFiles files = format.files(source);
   place(files, rules);
   write_files(files);
-  fmt::print("{}\n", options.output);
+  print_lines(options.output + "\n");
   return exit_done;
 }
 

@@ -9,9 +9,11 @@
 #include "wirepack/io/figure.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
+#include "wirepack/io/sweep_folder.hpp"
 
 #include "command.hpp"
 #include "frame_choice.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -40,16 +42,21 @@ PackingFrame chosen_frame(const Hdf5Reader& reader, const std::string& name,
   return reader.frame(*options.frame);
 }
 
+// The task of a sweep, or the name of the file.
+std::string label_of(const std::filesystem::path& result) {
+  const bool of_a_sweep = result.filename() == task_result_file && result.has_parent_path();
+  return of_a_sweep ? result.parent_path().filename().string() : result.stem().string();
+}
+
 int draw(const Options& options) {
   const std::vector<std::string> names{"packing", "section", "force", "energy"};
   output_folder(options.folder, figure_files(names),
                 {{options.results.begin(), options.results.end()}, options.force});
   std::vector<FigureRun> runs;
   PackingFrame last;
-  for (const std::string& result : options.results) {
+  for (const std::string& result : results_named(options.results)) {
     const Hdf5Reader reader(result);
-    runs.push_back(
-        {std::filesystem::path(result).stem().string(), reader.scenario(), reader.history()});
+    runs.push_back({label_of(result), reader.scenario(), reader.history()});
     const std::vector<std::int64_t> frames = reader.frame_increments();
     if (runs.back().history.empty() || frames.empty()) {
       throw FileError(result + ": holds no frame yet");
@@ -61,7 +68,7 @@ int draw(const Options& options) {
   draw_section(folder, runs.front().scenario, last);
   draw_force(folder, runs);
   draw_energy(folder, runs);
-  for (const std::string& name : names) fmt::print("{}\n", (folder / (name + ".png")).string());
+  for (const std::string& name : names) print_lines((folder / (name + ".png")).string() + "\n");
   return exit_done;
 }
 
@@ -71,7 +78,8 @@ Command figures_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "figures", "Figures of runs: packing and section of the first, force and energy of all");
   const auto options = std::make_shared<Options>();
-  app->add_option("RESULT.h5", options->results, "Results of wirepack run")->required();
+  app->add_option("RESULT.h5", options->results, "Results of wirepack run, or folders of sweeps")
+      ->required();
   app->add_option("-o,--output", options->folder,
                   "Folder for PNG, PDF, SVG and the data behind them")
       ->required();

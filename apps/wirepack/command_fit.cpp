@@ -14,6 +14,7 @@
 #include "wirepack/io/shape_file.hpp"
 
 #include "command.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -29,9 +30,7 @@ struct Options {
   Index intervals = 0;
 };
 
-void say(const std::string& message) {
-  std::fputs(("wirepack fit: " + message + "\n").c_str(), stderr);
-}
+void say(const std::string& message) { print_message("wirepack fit: " + message); }
 
 std::string number_line(const ShapeNumber& number) {
   if (number.fixed) return fmt::format("{:<14} {:>16}   by the model\n", number.name, number.value);

@@ -1,9 +1,13 @@
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <unistd.h>
 #include <vector>
 
 #include "wirepack/core/error.hpp"
@@ -12,6 +16,9 @@
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/hdf5_recorder.hpp"
 #include "wirepack/io/output_path.hpp"
+#include "wirepack/io/result_end.hpp"
+#include "wirepack/io/result_lock.hpp"
+#include "wirepack/io/sweep_status.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/warnings.hpp"
 
@@ -19,21 +26,20 @@
 #include "run_advice.hpp"
 #include "run_loop.hpp"
 #include "stop_signals.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
 namespace {
 
 struct RunOptions {
-  std::string config, output, method, command_line;
+  std::string config, output, method, log, command_line;
   std::vector<std::string> assignments;
   bool resume = false, force = false, dry_run = false;
   int threads = 1;
 };
 
-void say(const std::string& message) {
-  std::fputs(("wirepack run: " + message + "\n").c_str(), stderr);
-}
+void say(const std::string& message) { print_message("wirepack run: " + message); }
 
 std::vector<ConfigOverride> overrides_of(const RunOptions& options) {
   std::vector<ConfigOverride> overrides;
@@ -62,16 +68,14 @@ int show_plan(const Scenario& scenario, const DeclaredUnits& names) {
       shown_energy(units_of(scenario).scaled_energy(), names), length,
       packing_density(length, scenario.cavity, scenario.wire.radius), run.nodes, run.increments,
       run.frames, run.bytes / 1e6, shown_time(run.seconds));
-  std::fputs(text.c_str(), stdout);
+  print_lines(text);
   say_warnings("run", warnings(scenario, length));
   return exit_done;
 }
 
 int exit_code(const RunResult& result) {
   if (!result.stop) return exit_stopped_by_signal;
-  const bool lost =
-      *result.stop == StopReason::no_equilibrium || *result.stop == StopReason::strands_passed;
-  return lost ? exit_no_equilibrium : exit_done;
+  return found_no_equilibrium(*result.stop) ? exit_no_equilibrium : exit_done;
 }
 
 int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
@@ -80,8 +84,8 @@ int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario
   recorder.note("length_unit", names.length);
   recorder.note("force_unit", names.force);
   say_warnings("run", warnings(scenario, expected_length(scenario)));
-  catch_stop_signals();
-  const RunResult result = record_run(packing, recorder, scenario, before, stdout);
+  std::FILE* table = options.log.empty() ? stdout : nullptr;
+  const RunResult result = record_run(packing, recorder, scenario, before, table);
   const PackingProgress& progress = packing.progress();
   const std::string saved =
       fmt::format("{} holds all up to increment {:.0f}", options.output, progress.last.increment);
@@ -91,8 +95,8 @@ int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario
     say("nobody reads the table any more; " + saved + "; --resume goes on from there");
     return exit_stopped_by_signal;
   }
-  std::fputs(summary(result, progress, scenario, names).c_str(), stdout);
-  std::fputs(next_step(result.stop, options.output).c_str(), stdout);
+  print_lines(summary(result, progress, scenario, names));
+  print_lines(next_step(result.stop, options.output));
   std::fflush(stdout);
   say_warnings("run", result.warnings);
   if (!result.stop) {
@@ -108,16 +112,21 @@ int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario
   return exit_code(result);
 }
 
-int resume(const Scenario& scenario, const RunOptions& options) {
-  const Hdf5Reader reader(options.output);
-  const Scenario saved = reader.scenario();
+/// The ways to look for an equilibrium that are not those of a result which found none.
+std::vector<std::string> changed_search(const Hdf5Reader& reader, const Scenario& scenario) {
   const std::string reason = reader.stop_reason();
   const bool lost = reason == name_of(StopReason::no_equilibrium) ||
                     reason == name_of(StopReason::strands_passed);
-  const std::vector<std::string> changes =
-      lost ? search_changes(saved, scenario) : std::vector<std::string>();
+  return lost ? search_changes(reader.scenario(), scenario) : std::vector<std::string>();
+}
+
+/// What there is to say of a result that is at its end, and the exit code; nothing if it can go on.
+std::optional<int> exit_code_at_end(const Scenario& scenario, const RunOptions& options) {
+  const Hdf5Reader reader(options.output);
+  const Scenario saved = reader.scenario();
+  const std::vector<std::string> changes = changed_search(reader, scenario);
   Scenario compared = scenario;
-  if (lost) {  // how to look for the next equilibrium may be another
+  if (!changes.empty()) {  // how to look for the next equilibrium may be another
     compared.minimizer = saved.minimizer;
     compared.insertion = saved.insertion;
   }
@@ -126,49 +135,84 @@ int resume(const Scenario& scenario, const RunOptions& options) {
     throw InvalidInput(fmt::format("{} cannot be continued with this configuration: {}",
                                    options.output, *conflict));
   }
-  RunTotals totals;
-  for (const HistoryRow& row : reader.history()) totals.add(row);
-  PackingProgress progress = reader.progress();
-  if (const auto passed = reached_limit(in_own_units(scenario), progress)) {
-    if (!reader.finished())
-      throw InvalidInput(options.output + ": is already beyond stop." +
-                         std::string(name_of(*passed)));
-    say(fmt::format("{} is finished: stop.{} is reached", options.output, name_of(*passed)));
-    return exit_done;
+  const std::optional<StopReason> end = end_of(reader, scenario);
+  if (!end || (found_no_equilibrium(*end) && !changes.empty())) return std::nullopt;
+  const std::string reason(name_of(*end));
+  const bool lost = found_no_equilibrium(*end);
+  const int code = lost ? exit_no_equilibrium : exit_done;
+  if (code == exit_done && !reader.finished()) {
+    throw InvalidInput(options.output + ": is already beyond stop." + reason);
   }
-  if (lost && changes.empty()) {
-    say(fmt::format("{} is finished: {}; {}", options.output, reason,
-                    what_to_try(scenario, reason == name_of(StopReason::no_equilibrium)
-                                              ? StopReason::no_equilibrium
-                                              : StopReason::strands_passed)));
-    return exit_no_equilibrium;
+  say(options.output + " is finished: " +
+      (lost ? reason + "; " + what_to_try(scenario, *end) : "stop." + reason + " is reached"));
+  return code;
+}
+
+int resume(const Scenario& scenario, const RunOptions& options) {
+  // Another run may have brought it to its end before this one had the lock.
+  if (const auto code = exit_code_at_end(scenario, options)) return *code;
+  const Hdf5Reader reader(options.output);
+  if (const std::string damage = reader.damage(); !damage.empty()) {
+    say(damage + "; the checkpoint before is taken");
   }
+  PackingProgress progress = place_to_go_on(reader);
+  const RunTotals totals = totals_of(reader.history(), progress.last.increment);
   std::string history = reader.note("search_changes");
-  for (const std::string& change : changes) {
+  for (const std::string& change : changed_search(reader, scenario)) {
     history += fmt::format("{}after increment {:.0f}: {}", history.empty() ? "" : "\n",
                            progress.last.increment, change);
   }
   say(fmt::format("{}: going on after increment {:.0f}", options.output, progress.last.increment));
+  Hdf5Recorder recorder =
+      Hdf5Recorder::continuing(options.output, scenario, options.command_line, progress);
   PackingRun packing(scenario, std::move(progress));
-  Hdf5Recorder recorder = Hdf5Recorder::continuing(options.output, scenario, options.command_line);
   if (!history.empty()) recorder.note("search_changes", history);
   return finish(packing, recorder, scenario, totals, options);
 }
 
-int run(const RunOptions& options) {
+/// Starts or goes on; nobody else writes the result meanwhile.
+int run_locked(const Scenario& scenario, const RunOptions& options) {
+  if (options.resume && std::filesystem::exists(options.output)) return resume(scenario, options);
+  if (options.resume) say(options.output + " is not there yet: starting from the beginning");
+  PackingRun packing(scenario);
+  Hdf5Recorder recorder(options.output, scenario, options.command_line);
+  return finish(packing, recorder, scenario, RunTotals{}, options);
+}
+
+/// From now on what is printed goes to the end of a file.
+void print_to(const std::string& file) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw FileError(file + ": cannot be written: " + std::strerror(errno));
+  ::dup2(descriptor, STDOUT_FILENO);
+  ::dup2(descriptor, STDERR_FILENO);
+  ::close(descriptor);
+}
+
+int run(RunOptions options) {
   use_threads(options.threads);
   const std::vector<ConfigOverride> overrides = overrides_of(options);
   const Scenario scenario = read_config(options.config, overrides);
+  require_possible(scenario, expected_length(scenario));
   if (options.dry_run) return show_plan(scenario, declared_units(options.config, overrides));
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
+  catch_stop_signals();
   const OutputRules rules{config_inputs(options.config, overrides), options.force || options.resume,
                           "--resume goes on from it, --force replaces it"};
-  const std::filesystem::path target = output_file(options.output, rules);
-  if (options.resume && std::filesystem::exists(target)) return resume(scenario, options);
-  if (options.resume) say(options.output + " is not there yet: starting from the beginning");
-  PackingRun packing(scenario);
-  Hdf5Recorder recorder(target, scenario, options.command_line);
-  return finish(packing, recorder, scenario, RunTotals{}, options);
+  output_file(options.output, rules);
+  if (options.resume && std::filesystem::exists(options.output)) {
+    if (const auto code = exit_code_at_end(scenario, options)) return *code;
+  }
+  const ResultLock lock(options.output);
+  if (!lock.doubt().empty()) {
+    say("take care that no second run writes " + options.output + ": " + lock.doubt());
+  }
+  // Asked again: another run may have made it before this one had the lock.
+  options.output = output_file(options.output, rules).string();
+  if (options.log.empty()) return run_locked(scenario, options);
+  print_to(options.log);
+  const int code = run_safely("wirepack run", [&] { return run_locked(scenario, options); });
+  say(fmt::format("{}{}", exit_code_line, code));
+  return code;
 }
 
 }  // namespace
@@ -187,12 +231,16 @@ Command run_command(CLI::App& program, const std::string& command_line) {
       ->allow_extra_args(false);
   app->add_option("--method", options->method, "Short for --set packing.method=METHOD")
       ->type_name("METHOD");
-  CLI::Option* resume =
-      app->add_flag("--resume", options->resume,
-                    "Goes on from OUT.h5, to the same bits as an undisturbed run; [stop] and "
-                    "[output] may have changed, after exit code 3 [minimizer] and [insertion], "
-                    "too. Starts from the beginning if there is no OUT.h5");
+  CLI::Option* resume = app->add_flag(
+      "--resume", options->resume,
+      "Goes on from OUT.h5, to the same bits as an undisturbed run; [stop] and [output] may have "
+      "changed, after exit code 3 [minimizer] and [insertion], too. Starts from the beginning if "
+      "there is no OUT.h5, and returns at once if it is finished");
   app->add_flag("--force", options->force, "Replaces an existing OUT.h5")->excludes(resume);
+  app->add_option("--log", options->log,
+                  "Adds messages, summary and exit code to this file instead of printing them, the "
+                  "table left out")
+      ->type_name("FILE");
   app->add_flag("--dry-run", options->dry_run,
                 "Prints the resolved configuration and an estimate, and writes nothing");
   app->add_option(

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <memory>
 
-#include "wirepack/core/error.hpp"
+#include "wirepack/io/output_path.hpp"
 #include "wirepack/io/view_page.hpp"
 
 #include "command.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -18,23 +19,10 @@ struct Options {
   bool force = false;
 };
 
-void require_free(const std::string& page, const std::string& result, bool force) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(page, error);
-  if (!std::filesystem::exists(status)) return;
-  if (std::filesystem::equivalent(page, result, error)) {
-    throw InvalidInput(page + " is the result itself; the page needs a name of its own");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw InvalidInput(page + " is not a regular file: a page cannot go there");
-  }
-  if (!force) throw InvalidInput(page + " exists; --force replaces it");
-}
-
 int view(const Options& options) {
-  require_free(options.page, options.result, options.force);
-  write_view_page(options.result, options.page, options.frames);
-  fmt::print("{}\n", options.page);
+  const OutputRules rules{.inputs = {options.result}, .force = options.force};
+  write_view_page(options.result, output_file(options.page, rules), options.frames);
+  print_lines(options.page + "\n");
   return exit_done;
 }
 

@@ -14,6 +14,7 @@
 #include "wirepack/core/version.hpp"
 
 #include "command.hpp"
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -51,14 +52,15 @@ constexpr const char* own_fault =
     "has failed by a fault of its own; please report the command and its configuration";
 
 int report(const std::string& name, const std::exception& error, int code) {
-  std::fputs((name + ": " + error.what() + "\n").c_str(), stderr);
+  print_message(name + ": " + error.what());
   return code;
 }
 
-int run_safely(const Command& command) {
-  const std::string name = "wirepack " + command.app->get_name();
+}  // namespace
+
+int run_safely(const std::string& name, const std::function<int()>& run) {
   try {
-    int code = command.run();
+    const int code = run();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw FileError("the standard output cannot be written");
     }
@@ -80,6 +82,8 @@ int run_safely(const Command& command) {
     return report(name, NumericalFailure(own_fault), exit_numerical_failure);
   }
 }
+
+namespace {
 
 // CLI11 calls a misspelt command a missing one.
 std::string explain(const CLI::ParseError& error, const CLI::App& program, int count,
@@ -116,6 +120,7 @@ int run_program(int count, char** arguments) {
                                       analyze_command(program),
                                       export_command(program),
                                       fit_command(program, shell_text(count, arguments)),
+                                      sweep_command(program),
                                       view_command(program)};
   try {
     program.parse(count, arguments);
@@ -126,11 +131,13 @@ int run_program(int count, char** arguments) {
     std::string name = "wirepack";
     for (const CLI::App* chosen : program.get_subcommands()) name += " " + chosen->get_name();
     const std::string text = explain(error, program, count, arguments);
-    std::fputs((name + ": " + text + "; see " + name + " --help\n").c_str(), stderr);
+    print_message(name + ": " + text + "; see " + name + " --help");
     return exit_bad_input;
   }
   for (const Command& command : commands) {
-    if (command.app->parsed()) return run_safely(command);
+    if (command.app->parsed()) {
+      return run_safely("wirepack " + command.app->get_name(), command.run);
+    }
   }
   return exit_bad_input;
 }

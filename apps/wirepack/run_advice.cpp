@@ -1,11 +1,15 @@
 #include "run_advice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 
+#include "wirepack/core/error.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
+
+#include "terminal.hpp"
 
 namespace wirepack {
 
@@ -46,6 +50,9 @@ constexpr double rows_of_chunk = 256, bytes_of_node = 104;
 // take most of it.
 constexpr double seconds_of_increment_by_node = 2.5e-5, many_snaps = 4, growth = 5;
 constexpr double seconds_of_step_by_node = 3.5e-7;
+// Far beyond what has been run (some 1e5 nodes, 1 GB, days), as these are guesses: a node takes some kB
+// of memory.
+constexpr double most_nodes = 1e8, most_bytes = 1e13, year = 3.2e7, most_seconds = 100 * year;
 
 }  // namespace
 
@@ -70,9 +77,25 @@ RunEstimate estimate(const Scenario& scenario, double length) {
   return run;
 }
 
+void require_possible(const Scenario& scenario, double length) {
+  // A run with a limit beyond a full cavity ends before that, without an equilibrium.
+  length = std::min(length, length_at_density(1, scenario.cavity, scenario.wire.radius));
+  const RunEstimate run = estimate(scenario, length);
+  if (run.nodes < most_nodes && run.bytes < most_bytes && run.seconds < most_seconds) return;
+  throw InvalidInput(fmt::format(
+      "a run at R = {:.4g} is impossible: about {:.2g} nodes, {:.2g} increments, {:.2g} frames, "
+      "{:.2g} GB and "
+      "{:.2g} years of computing to L = {:.3g}; possible are {:.0e} nodes, {:.0e} GB, {:.0f} "
+      "years: a "
+      "limit in [stop], a smaller cavity.radius over wire.radius, a longer wire.edge_length or "
+      "insertion.increment, or a larger output.frame_every_density make it smaller",
+      scenario.cavity.radius, run.nodes, run.increments, run.frames, run.bytes / 1e9,
+      run.seconds / year, length, most_nodes, most_bytes / 1e9, most_seconds / year));
+}
+
 void say_warnings(const std::string& command, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    std::fputs(fmt::format("wirepack {}: warning: {}\n", command, warning).c_str(), stderr);
+    print_message(fmt::format("wirepack {}: warning: {}", command, warning));
   }
 }
 

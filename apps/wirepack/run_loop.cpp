@@ -85,6 +85,14 @@ void RunTotals::add(const HistoryRow& row) {
   seconds = row.wall_seconds;
 }
 
+RunTotals totals_of(const std::vector<HistoryRow>& history, double last_increment) {
+  RunTotals totals;
+  for (const HistoryRow& row : history) {
+    if (row.increment <= last_increment) totals.add(row);
+  }
+  return totals;
+}
+
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
                      const RunTotals& before, std::FILE* table_file) {
   RunResult result;
@@ -111,6 +119,8 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
       const PackingProgress& progress = packing.progress();
       const bool advanced = progress.last.increment > good.last.increment;
       if (advanced) {
+        // From here a run with larger limits goes on: the last increment may be cut short.
+        if (result.stop) recorder.flush(good);
         HistoryRow row = packing.row();
         row.wall_seconds = before.seconds + seconds_since(start);
         recorder.add(row);
@@ -122,7 +132,8 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
         }
         progress_line.show(row, seconds_since(start));
       }
-      bool flush_is_due = seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
+      bool flush_is_due = save_was_requested() ||
+                          seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
       if (advanced && packing.frame_is_due()) {
         take_frame();
         flush_is_due = true;

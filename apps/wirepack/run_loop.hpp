@@ -20,6 +20,9 @@ struct RunTotals {
   void add(const HistoryRow& row);
 };
 
+/// Of the rows up to an increment.
+RunTotals totals_of(const std::vector<HistoryRow>& history, double last_increment);
+
 struct RunResult {
   std::optional<StopReason> stop;  ///< nothing: a signal stopped the run, or nobody reads the table
   RunTotals totals;
@@ -27,9 +30,10 @@ struct RunResult {
   std::vector<std::string> warnings;  ///< of the end; those of the scenario not among them
 };
 
-/// Runs until a limit, a stop signal, or until the reader of the table has gone away: prints the table, if one is wanted, and progress to stderr (on a
-/// terminal), and brings everything to the file at the start, with every frame, every
-/// output.checkpoint_every_seconds, and at the end. Throws NumericalFailure, with all increments
+/// Runs until a limit, a stop signal, or until the reader of the table has gone away: prints the table,
+/// if one is wanted, and progress to stderr (on a terminal), and brings everything to the file at the
+/// start, with every frame, every output.checkpoint_every_seconds, and at the end; before the last
+/// increment, too, if a limit ends the run. Throws NumericalFailure, with all increments
 /// before it saved, and FileError.
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
                      const RunTotals& before, std::FILE* table);

@@ -5,7 +5,8 @@
 namespace wirepack {
 
 BlockMeans block_means(const MeasuredPoints& points, Index most) {
-  const Index n = points.count(), count = std::min(n, most);
+  // all of one size, or their scatter and their shift inwards in a bend would jump
+  const Index n = points.count(), size = (n + most - 1) / most, count = (n + size - 1) / size;
   BlockMeans result;
   MeasuredPoints& means = result.points;
   means.ordered = points.ordered;
@@ -14,7 +15,7 @@ BlockMeans block_means(const MeasuredPoints& points, Index most) {
   if (points.sigma.size() > 0) means.sigma = Eigen::VectorXd::Zero(count);
   Eigen::VectorXd members = Eigen::VectorXd::Zero(count);
   for (Index i = 0; i < n; ++i) {
-    const Index b = i * count / n;
+    const Index b = i / size;
     result.of_point.push_back(b);
     means.position.col(b) += points.position.col(i);
     if (points.arc.size() > 0) means.arc[b] += points.arc[i];

@@ -1,13 +1,19 @@
 #include "curve_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "wirepack/core/error.hpp"
+
 #include "block_means.hpp"
 #include "fit_uncertainty.hpp"
+#include "held_start.hpp"
 #include "helix_starts.hpp"
+#include "line_of_parts.hpp"
 #include "misfit.hpp"
 #include "point_sample.hpp"
 #include "spline_start.hpp"
@@ -72,38 +78,71 @@ void keep_arcs(const MeasuredPoints& points, FitStart& start) {
   start.basis.last = points.arc.maxCoeff();
 }
 
-// The line and the number of intervals by Schwarz's criterion, on means of successive points.
-struct SplineChoice {
-  SplineLine line = SplineLine::smoothed;
-  Index intervals = 1;
-};
-
-SplineChoice chosen_spline(const MeasuredPoints& points, const std::optional<Index>& intervals) {
+// Of some lines along means of the points, one and a number of intervals by Schwarz's criterion.
+FitStart best_start(const MeasuredPoints& points, const BlockMeans& blocks,
+                    const std::vector<StartLine>& lines, const std::optional<Index>& intervals) {
   constexpr Index most_intervals = 96;
-  const MeasuredPoints means = block_means(points).points;
+  const MeasuredPoints& means = blocks.points;
   const Index residuals = (points.arc.size() > 0 ? 3 : 2) * means.count();
-  SplineChoice best;
+  const StartLine* best = &lines.front();
+  Index best_intervals = 1;
   double least = std::numeric_limits<double>::infinity();
-  for (const SplineLine line : {SplineLine::smoothed, SplineLine::through_points}) {
+  for (const StartLine& line : lines) {
     const SplineStart start(means, line);
-    const Index most = std::min({means.count() / 4, start.intervals(), most_intervals});
+    const Index most = std::min({means.count() / 4, line.intervals, most_intervals});
     int worse = 0;
     for (const Index trial_intervals :
          intervals ? std::vector<Index>{*intervals} : interval_ladder(most)) {
       FitStart trial = start.with_intervals(trial_intervals);
       keep_arcs(means, trial);
+      if (points.arc.size() == 0) trial = held_start(means, std::move(trial));
       const CurveSolution solution = solve_curve(means, trial, 0, 30);
       const double criterion = schwarz_criterion(2 * solution.cost, residuals, trial.basis.size());
       if (criterion < least) {
         least = criterion;
-        best = {line, trial_intervals};
+        best = &line;
+        best_intervals = trial_intervals;
         worse = 0;
       } else if (++worse >= 3 && neighbour_correlation(solution) < 0.2) {
         break;  // what is left is scatter
       }
     }
   }
-  return best;
+  const StartLine line{best->samples, best->place(blocks.of_point), best->intervals};
+  const FitStart start = SplineStart(points, line).with_intervals(best_intervals);
+  return points.arc.size() > 0 ? start : held_start(points, start);
+}
+
+FitStart start_of_part(const MeasuredPoints& points, const std::optional<Index>& intervals) {
+  const BlockMeans blocks = block_means(points);
+  const std::vector<StartLine> lines{smoothed_line(blocks.points), line_through(blocks.points)};
+  return best_start(points, blocks, lines, intervals);
+}
+
+// Means of numbers of all points over their blocks.
+Eigen::VectorXd means_over(const BlockMeans& blocks, const Eigen::VectorXd& numbers) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(blocks.points.count()), count = sum;
+  for (Index i = 0; i < numbers.size(); ++i) {
+    const Index b = blocks.of_point[static_cast<std::size_t>(i)];
+    sum[b] += numbers[i];
+    count[b] += 1;
+  }
+  return sum.cwiseQuotient(count);
+}
+
+FitStart spline_start(const MeasuredPoints& points, const std::optional<Index>& intervals) {
+  if (points.arc.size() > 0) return start_of_part(points, intervals);
+  constexpr Index most = 10 * most_block_means, of_turn = 16;
+  const BlockMeans fine = block_means(points, most);
+  std::optional<LineOfParts> found = line_of_parts(fine.points, [](const MeasuredPoints& part) {
+    return solve_curve(part, start_of_part(part, {}));
+  });
+  if (!found) return start_of_part(points, intervals);
+  const auto enough = static_cast<Index>(of_turn * found->turns);
+  const BlockMeans blocks = block_means(points, std::clamp(enough, most_block_means, most));
+  StartLine& line = found->line;
+  line.place = means_over(blocks, line.place(fine.of_point));
+  return best_start(points, blocks, {line}, intervals);
 }
 
 CurveSolution refined(const MeasuredPoints& points, CurveSolution solution) {
@@ -115,13 +154,31 @@ CurveSolution refined(const MeasuredPoints& points, CurveSolution solution) {
   return solution;
 }
 
+// Errors of k0 add up along a wire that winds often. Where its length has changed by half a turn since
+// the start, feet have gone over to other turns.
+void check_turns(const FitStart& start, const CurveSolution& solution) {
+  if (!solution.converged || solution.rows == 3) return;
+  const double before = start.feet.maxCoeff() - start.feet.minCoeff();
+  const double first = solution.feet.minCoeff(), last = solution.feet.maxCoeff();
+  double curvature = 0;
+  constexpr Index samples = 1000;
+  for (Index i = 0; i < samples; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / samples;
+    curvature += solution.curve.darboux(first + share * (last - first)).norm() / samples;
+  }
+  const double turns = curvature * before / (2 * pi);
+  if (turns < fewest_turns_of_parts || std::abs(last - first - before) * curvature < pi) return;
+  throw InvalidInput(fmt::format(
+      "the points cannot tell the shape: they wind {:.0f} times, and the spline found runs along "
+      "other turns; more points to a turn, a part of them, or their arc lengths may do; a coil is "
+      "a helix",
+      turns));
+}
+
 std::vector<FitStart> starts_of(const MeasuredPoints& points, const FitOptions& options,
                                 bool order_may_be_wrong) {
   if (options.model == ShapeModel::circle) return {circle_start(points)};
-  if (options.model == ShapeModel::spline) {
-    const SplineChoice choice = chosen_spline(points, options.intervals);
-    return {SplineStart(points, choice.line).with_intervals(choice.intervals)};
-  }
+  if (options.model == ShapeModel::spline) return {spline_start(points, options.intervals)};
   std::vector<FitStart> starts = helix_starts(points);
   if (points.ordered && order_may_be_wrong) {
     MeasuredPoints loose = points;
@@ -152,10 +209,14 @@ CurveSolution nearest_curve(const MeasuredPoints& points, const FitOptions& opti
   std::vector<FitStart> starts = starts_of(points, options, order_may_be_wrong);
   for (FitStart& start : starts) keep_arcs(points, start);
   CurveSolution solution = best_of(points, starts);
-  if (options.robust) return refined(points, std::move(solution));
-  if (solution.converged) return solution;
-  // a start beside which points far off pull less
-  return solve_curve(points, continued(refined(points, std::move(solution))));
+  if (options.robust) {
+    solution = refined(points, std::move(solution));
+  } else if (!solution.converged) {
+    // a start beside which points far off pull less
+    solution = solve_curve(points, continued(refined(points, std::move(solution))));
+  }
+  if (options.model == ShapeModel::spline) check_turns(starts.front(), solution);
+  return solution;
 }
 
 }  // namespace wirepack

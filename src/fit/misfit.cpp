@@ -52,10 +52,9 @@ double neighbour_correlation(const CurveSolution& solution) {
 
 std::string misfit_of(ShapeModel model, const MeasuredPoints& points, const CurveSolution& solution,
                       const Uncertainty& uncertainty) {
-  constexpr double round_off = 1e-9;  // of the extent of the points
   const auto n = static_cast<double>(points.count());
   const double rms = std::sqrt(solution.distance.squaredNorm() / n);
-  if (!(rms > std::max(points.resolution, round_off))) return {};
+  if (!(rms > std::max(points.resolution, finest_residual(model)))) return {};
   if (points.sigma.size() > 0 && !(solution.huber > 0)) {
     const auto freedom = static_cast<double>(std::max<Index>(uncertainty.degrees_of_freedom, 1));
     const double share = solution.weighted_distance.squaredNorm() / freedom;

@@ -10,6 +10,12 @@
 
 namespace wirepack {
 
+/// Residuals over the extent of the points that say nothing: round-off, or the detail that a spline
+/// leaves out.
+constexpr double finest_residual(ShapeModel model) {
+  return model == ShapeModel::spline ? 1e-5 : 1e-9;
+}
+
 /// How the residuals of a fit show that they are not scatter: neighbours that lie off to the same
 /// side, a circle that the points leave along its axis more than in its plane, a chi square far above
 /// its degrees of freedom. Empty when they could be scatter, or are not above the rounding of the points.

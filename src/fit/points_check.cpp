@@ -87,9 +87,9 @@ void check_points(const MeasuredPoints& points, const FitOptions& options) {
   }
   const auto different = static_cast<Index>(distinct.size());
   if (different < least) {
-    throw InvalidInput(std::to_string(n) + " points, " + std::to_string(different) +
-                       " of them different: a " + model + " with its errors needs at least " +
-                       std::to_string(least));
+    throw InvalidInput(
+        fmt::format("{} point{}, {} of them different: a {} with its errors needs at least {}", n,
+                    n == 1 ? "" : "s", different, model, least));
   }
   if (points.arc.size() > 0) check_arcs(points);
   if (options.intervals) {

@@ -164,7 +164,7 @@ Fitted fitted(const MeasuredPoints& given, const std::vector<Index>& kept,
   if (!fit.listed.order_may_be_wrong || options.model == ShapeModel::circle) return fit;
   const CurveSolution& solution = fit.solution;
   const bool told = options.model == ShapeModel::helix
-                        ? turns_of(solution) < 1.5 || tells_turns(solution)
+                        ? turns_of(solution) < 1 || tells_turns(solution)
                         : !may_join_turns(solution, uncertainty_of(fit.scale.points, solution));
   if (!told || !solution.converged) {
     throw InvalidInput(std::string("the points cannot tell the shape: ") + no_order);
@@ -199,8 +199,8 @@ bool closes(const CurveSolution& solution, double first, double last, double gap
 }
 
 // Beyond what one normal residual of so many exceeds with a chance of 1 in 20, and beyond rounding.
-std::vector<Index> outliers_of(const MeasuredPoints& points, const CurveSolution& solution,
-                               const Uncertainty& uncertainty) {
+std::vector<Index> outliers_of(ShapeModel model, const MeasuredPoints& points,
+                               const CurveSolution& solution, const Uncertainty& uncertainty) {
   const auto n = static_cast<double>(points.count());
   const Index dimensions = uncertainty.dimensions;
   const double limit = std::sqrt(2 * std::log(20 * n) + static_cast<double>(dimensions - 2));
@@ -211,7 +211,8 @@ std::vector<Index> outliers_of(const MeasuredPoints& points, const CurveSolution
   std::vector<Index> outliers;
   for (Index i = 0; i < points.count(); ++i) {
     const bool far = solution.weighted_distance[i] > limit * sigma;
-    if (far && solution.distance[i] > points.resolution) outliers.push_back(i);
+    const double least = std::max(points.resolution, finest_residual(model));
+    if (far && solution.distance[i] > least) outliers.push_back(i);
   }
   return outliers;
 }
@@ -289,7 +290,7 @@ ShapeFit result_of(const Fitted& fitted, const MeasuredPoints& given, const std:
   place_points(fitted, given, far, fit);
   fit.left_out = far;
   fit.outliers = far;
-  for (const Index k : outliers_of(points, solution, uncertainty)) {
+  for (const Index k : outliers_of(fit.model, points, solution, uncertainty)) {
     fit.outliers.push_back(which[static_cast<std::size_t>(k)]);
   }
   std::sort(fit.outliers.begin(), fit.outliers.end());

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "block_means.hpp"
+#include "wirepack/core/rotation.hpp"
 
 namespace wirepack {
 
@@ -21,6 +21,14 @@ std::vector<Index> interval_ladder(Index most) {
     if (power * 3 / 2 <= most) ladder.push_back(power * 3 / 2);
   }
   return ladder;
+}
+
+Eigen::VectorXd cumulated_chords(const Points& points) {
+  Eigen::VectorXd arc = Eigen::VectorXd::Zero(points.cols());
+  for (Index i = 1; i < points.cols(); ++i) {
+    arc[i] = arc[i - 1] + (points.col(i) - points.col(i - 1)).norm();
+  }
+  return arc;
 }
 
 namespace {
@@ -60,14 +68,6 @@ Eigen::MatrixXd spline_through(const Eigen::MatrixXd& values, const Eigen::Vecto
   return normal.llt().solve(right);
 }
 
-Eigen::VectorXd cumulated_chords(const Points& points) {
-  Eigen::VectorXd arc = Eigen::VectorXd::Zero(points.cols());
-  for (Index i = 1; i < points.cols(); ++i) {
-    arc[i] = arc[i - 1] + (points.col(i) - points.col(i - 1)).norm();
-  }
-  return arc;
-}
-
 struct PositionSpline {
   Index intervals = 1;
   Eigen::MatrixXd coefficients;  // rows of x, y, z
@@ -92,23 +92,31 @@ Points on_spline(const PositionSpline& spline, const Eigen::VectorXd& u) {
   return spline_values(spline.coefficients, u).transpose();
 }
 
-// Nearest places of the points on a polyline, near where they were, as shares of its length.
+// Nearest places of the points on a polyline, near where they were and on the same turn, as shares of
+// its length.
 Eigen::VectorXd nearest_parameters(const Points& points, const Eigen::VectorXd& was,
                                    const Points& line) {
   const Eigen::VectorXd arc = cumulated_chords(line);
   const Index m = line.cols(), window = std::max<Index>(3, std::min(m / 20, 8 * m / points.cols()));
+  const auto edge = [&](Index j) -> Vec3 { return line.col(j + 1) - line.col(j); };
   Eigen::VectorXd u(was.size());
   for (Index i = 0; i < was.size(); ++i) {
-    const auto guess = static_cast<Index>(was[i] * static_cast<double>(m - 1));
+    const auto after = std::upper_bound(arc.data(), arc.data() + m, was[i] * arc[m - 1]);
+    const Index guess = std::clamp<Index>(after - arc.data() - 1, 0, m - 2);
     double least = std::numeric_limits<double>::infinity();
-    for (Index j = std::max<Index>(0, guess - window); j < std::min(m - 1, guess + window); ++j) {
-      const Vec3 e = line.col(j + 1) - line.col(j);
-      const Vec3 away = points.col(i) - line.col(j);
+    const auto look = [&](Index j) {
+      const Vec3 e = edge(j), away = points.col(i) - line.col(j);
       const double part = std::clamp(e.dot(away) / e.squaredNorm(), 0.0, 1.0);
       const double distance = (away - part * e).squaredNorm();
-      if (distance >= least) continue;
-      least = distance;
-      u[i] = arc[j] + part * (arc[j + 1] - arc[j]);
+      if (distance < least) {
+        least = distance;
+        u[i] = arc[j] + part * (arc[j + 1] - arc[j]);
+      }
+      return e.dot(edge(guess)) > 0;  // not yet a quarter of a turn away
+    };
+    for (Index j = guess; j < std::min(m - 1, guess + window) && look(j); ++j) {
+    }
+    for (Index j = guess; j >= std::max<Index>(0, guess - window) && look(j); --j) {
     }
   }
   return u / arc[m - 1];
@@ -162,78 +170,126 @@ std::vector<Index> without_repeats(const Points& points) {
   return kept;
 }
 
+// Shares of the way along ordered points.
+Eigen::VectorXd shares_of(const MeasuredPoints& points) {
+  const Eigen::VectorXd arc =
+      points.arc.size() > 0 ? points.arc : cumulated_chords(points.position);
+  return arc / arc[arc.size() - 1];
+}
+
+// Arcs of samples on circles: the angle between the chords beside one is that between its tangents.
+Eigen::VectorXd arcs_of(const Points& line) {
+  const Index n = line.cols();
+  Eigen::VectorXd arc = Eigen::VectorXd::Zero(n);
+  const auto angle = [&](Index i) {
+    const Vec3 a = line.col(i) - line.col(i - 1), b = line.col(i + 1) - line.col(i);
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+  };
+  for (Index i = 1; i < n; ++i) {
+    const double before = i > 1 ? angle(i - 1) : 0, after = i + 1 < n ? angle(i) : before;
+    const double half = (i > 1 ? before + after : 2 * after) / 4;
+    const double chord = (line.col(i) - line.col(i - 1)).norm();
+    arc[i] = arc[i - 1] + chord * (half > 1e-6 ? half / std::sin(half) : 1);
+  }
+  return arc;
+}
+
+// Tangents of the circles through samples and their neighbours.
+Points tangents_along(const Points& line) {
+  const Index last = line.cols() - 1;
+  Points tangents(3, last + 1);
+  for (Index i = 1; i < last; ++i) {
+    tangents.col(i) = tangent_at(line.col(i - 1), line.col(i), line.col(i + 1));
+  }
+  const auto other_end = [](const Vec3& chord, const Vec3& tangent) -> Vec3 {
+    return 2 * chord.dot(tangent) / chord.squaredNorm() * chord - tangent;
+  };
+  tangents.col(0) = other_end(line.col(1) - line.col(0), tangents.col(1));
+  tangents.col(last) = other_end(line.col(last) - line.col(last - 1), tangents.col(last - 1));
+  return tangents;
+}
+
+// Frames without twist along the samples.
+std::vector<Mat3> untwisted_frames(const Points& line) {
+  const Points tangents = tangents_along(line);
+  Quat frame = frame_with_tangent(tangents.col(0));
+  std::vector<Mat3> frames{frame.toRotationMatrix()};
+  for (Index i = 1; i < line.cols(); ++i) {
+    frame = transport(Vec3(tangents.col(i - 1)), Vec3(tangents.col(i))) * frame;
+    frames.push_back(frame.toRotationMatrix());
+  }
+  return frames;
+}
+
+// Bending k1, k2 between the frames: the angle between tangents over the arc.
+Eigen::Matrix2Xd bending_between(const std::vector<Mat3>& frames, const Eigen::VectorXd& arcs) {
+  const Index n = arcs.size();
+  Eigen::Matrix2Xd bending(2, n);
+  for (Index i = 0; i < n; ++i) {
+    const Index a = std::max<Index>(i - 1, 0), b = std::min(i + 1, n - 1);
+    const Vec3 from = frames[static_cast<std::size_t>(a)].col(2);
+    const Vec3 to = frames[static_cast<std::size_t>(b)].col(2);
+    const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+    const double over_chord = angle > 1e-6 ? angle / (2 * std::sin(angle / 2)) : 1;
+    const Vec3 bend = over_chord * (to - from) / (arcs[b] - arcs[a]);
+    const Mat3& frame = frames[static_cast<std::size_t>(i)];
+    bending.col(i) << -bend.dot(frame.col(1)), bend.dot(frame.col(0));  // t' = k2 d1 - k1 d2
+  }
+  return bending;
+}
+
 }  // namespace
 
-SplineStart::SplineStart(const MeasuredPoints& points, SplineLine how) {
-  const bool known_arcs = points.arc.size() > 0;
-  const BlockMeans blocks = block_means(points);
-  const Points& means = blocks.points.position;
-  const Index last = means.cols() - 1;
-  Eigen::VectorXd u = known_arcs ? blocks.points.arc : cumulated_chords(means);
-  u /= known_arcs ? points.arc[points.count() - 1] : u[last];
-  Points line;
-  if (how == SplineLine::through_points) {
-    constexpr Index parts = 8;
-    const std::vector<Index> kept = without_repeats(means);
-    line = blended_circles(means(Eigen::all, kept), parts);
-    intervals_ = means.cols() / 3;
-    const Eigen::VectorXd arcs = cumulated_chords(line);
-    for (Index i = 0, k = 0; i <= last && !known_arcs; ++i) {
-      if (k + 1 < std::ssize(kept) && kept[static_cast<std::size_t>(k + 1)] <= i) ++k;
-      u[i] = arcs[k * parts] / arcs[arcs.size() - 1];
+StartLine smoothed_line(const MeasuredPoints& points) {
+  const Index last = points.count() - 1;
+  StartLine line;
+  line.place = shares_of(points);
+  for (int round = 0; round < 3; ++round) {
+    const PositionSpline spline = position_spline(points.position, line.place);
+    line.intervals = spline.intervals;
+    line.samples = on_spline(spline, Eigen::VectorXd::LinSpaced(40 * spline.intervals + 1, 0, 1));
+    if (points.arc.size() == 0 && round < 2) {
+      line.place = nearest_parameters(points.position, line.place, line.samples);
+      line.place = (line.place.array() - line.place[0]) / (line.place[last] - line.place[0]);
     }
-  } else {
-    PositionSpline spline;
-    Eigen::VectorXd fine;
-    for (int round = 0; round < 3; ++round) {
-      spline = position_spline(means, u);
-      fine = Eigen::VectorXd::LinSpaced(40 * spline.intervals + 1, 0, 1);
-      if (!known_arcs && round < 2) {
-        u = nearest_parameters(means, u, on_spline(spline, fine));
-        u = (u.array() - u[0]) / (u[last] - u[0]);
-      }
-    }
-    intervals_ = spline.intervals;
-    line = on_spline(spline, fine);
   }
-  arcs_ = cumulated_chords(line);
+  return line;
+}
+
+StartLine line_through(const MeasuredPoints& points) {
+  constexpr Index parts = 8;
+  const std::vector<Index> kept = without_repeats(points.position);
+  StartLine line{blended_circles(points.position(Eigen::all, kept), parts), shares_of(points),
+                 points.count() / 3};
+  if (points.arc.size() > 0) return line;
+  const Eigen::VectorXd arcs = cumulated_chords(line.samples);
+  for (Index i = 0, k = 0; i < points.count(); ++i) {
+    if (k + 1 < std::ssize(kept) && kept[static_cast<std::size_t>(k + 1)] <= i) ++k;
+    line.place[i] = arcs[k * parts] / arcs[arcs.size() - 1];
+  }
+  return line;
+}
+
+SplineStart::SplineStart(const MeasuredPoints& points, const StartLine& line) {
+  const Points& samples = line.samples;
+  arcs_ = arcs_of(samples);
   length_ = arcs_[arcs_.size() - 1];
-  if (known_arcs) {
+  if (points.arc.size() > 0) {
     feet_ = points.arc;
     arcs_ *= feet_[feet_.size() - 1] / length_;
     length_ = feet_[feet_.size() - 1];
   } else {
-    Eigen::VectorXd of_points(points.count());
-    for (Index i = 0; i < points.count(); ++i) {
-      of_points[i] = u[blocks.of_point[static_cast<std::size_t>(i)]];
-    }
-    feet_ = length_ * nearest_parameters(points.position, of_points, line);
+    feet_ = length_ * nearest_parameters(points.position, line.place, samples);
   }
-  // Frames without twist along the samples, and the bending between them.
-  const Index n = line.cols();
-  bending_.resize(2, n);
-  std::vector<Mat3> frames;
-  for (Index i = 0; i < n; ++i) {
-    const Index a = std::max<Index>(i - 1, 0), b = std::min(i + 1, n - 1);
-    const Vec3 tangent = (line.col(b) - line.col(a)).normalized();
-    Vec3 first = frames.empty() ? tangent.unitOrthogonal() : Vec3(frames.back().col(0));
-    first = (first - first.dot(tangent) * tangent).normalized();
-    Mat3 frame;
-    frame << first, tangent.cross(first), tangent;
-    frames.push_back(frame);
-  }
-  for (Index i = 0; i < n; ++i) {
-    const Index a = std::max<Index>(i - 1, 0), b = std::min(i + 1, n - 1);
-    const Vec3 bend =
-        (frames[static_cast<std::size_t>(b)].col(2) - frames[static_cast<std::size_t>(a)].col(2)) /
-        (arcs_[b] - arcs_[a]);
-    const Mat3& frame = frames[static_cast<std::size_t>(i)];
-    bending_.col(i) << -bend.dot(frame.col(1)), bend.dot(frame.col(0));  // t' = k2 d1 - k1 d2
-  }
+  const std::vector<Mat3> frames = untwisted_frames(samples);
+  bending_ = bending_between(frames, arcs_);
+  const Index n = samples.cols();
   const auto after = std::upper_bound(arcs_.data(), arcs_.data() + n, length_ / 2) - arcs_.data();
   const double part = (length_ / 2 - arcs_[after - 1]) / (arcs_[after] - arcs_[after - 1]);
-  middle_.position = (1 - part) * line.col(after - 1) + part * line.col(after);
-  middle_.directors = frames[static_cast<std::size_t>(part < 0.5 ? after - 1 : after)];
+  const Mat3& before = frames[static_cast<std::size_t>(after - 1)];
+  const Mat3& behind = frames[static_cast<std::size_t>(after)];
+  middle_.position = on_circle(samples.col(after - 1), before.col(2), samples.col(after), part);
+  middle_.directors = Quat(before).slerp(part, Quat(behind)).toRotationMatrix();
 }
 
 FitStart SplineStart::with_intervals(Index intervals) const {

@@ -1,52 +1,58 @@
 #include "atomic_file.hpp"
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <string>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <utility>
 
 #include "wirepack/core/error.hpp"
+
+#include "file_descriptor.hpp"
 
 namespace wirepack {
 
 namespace {
 
-constexpr std::string_view ending = ".tmp";
+// Short, so that the longest name of a result has room for it; hidden, as it is there for moments.
+constexpr std::string_view beginning = ".wirepack-", ending = ".tmp";
+
+std::string beginning_on_this_host() {
+  std::array<char, 100> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("{}{}-", beginning, host.data());
+}
 
 [[noreturn]] void fail(const std::filesystem::path& file, const char* action) {
   const int reason = errno;
   throw FileError(file.string() + ": cannot be " + action + ": " + std::strerror(reason));
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) ::close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-  int close() { return ::close(std::exchange(number_, -1)); }
-
- private:
-  int number_;
-};
-
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+// Rights and owner of a file are the user's business; where they cannot be given, it stays ours.
+void take_over_rights(const std::filesystem::path& from, int descriptor) {
+  struct stat status {};
+  if (::stat(from.c_str(), &status) != 0) return;
+  const bool owned = ::fchown(descriptor, status.st_uid, status.st_gid) == 0;
+  static_cast<void>(owned);
+  ::fchmod(descriptor, status.st_mode & 0777);
+}
+
 // Everything up to the rename; false with errno when a step fails.
-bool write_durably(const std::filesystem::path& file, const std::vector<char>& bytes) {
-  Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+bool write_durably(const std::filesystem::path& file, const std::filesystem::path& target,
+                   const std::vector<char>& bytes) {
+  FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (out.number() < 0) return false;
+  take_over_rights(target, out.number());
   for (std::size_t done = 0; done < bytes.size();) {
     const ssize_t n = ::write(out.number(), bytes.data() + done, bytes.size() - done);
     if (n < 0 && errno != EINTR) return false;
@@ -58,7 +64,7 @@ bool write_durably(const std::filesystem::path& file, const std::vector<char>& b
 }  // namespace
 
 std::vector<char> read_bytes(const std::filesystem::path& file) {
-  const Descriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  const FileDescriptor in(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
   struct stat status {};
   if (in.number() < 0 || ::fstat(in.number(), &status) != 0) fail(file, "read");
   std::vector<char> bytes(static_cast<std::size_t>(status.st_size));
@@ -72,13 +78,11 @@ std::vector<char> read_bytes(const std::filesystem::path& file) {
 }
 
 void replace_file(const std::filesystem::path& file, const std::vector<char>& bytes) {
-  // The number of the process keeps two runs that wrongly share a target from mixing their bytes.
-  std::filesystem::path temporary = file;
-  temporary += ".";
-  temporary += std::to_string(::getpid());
-  temporary += ending;
+  // Host and process keep runs that share a folder from mixing their bytes.
+  const std::filesystem::path temporary =
+      folder_of(file) / fmt::format("{}{}{}", beginning_on_this_host(), ::getpid(), ending);
   ::unlink(temporary.c_str());
-  if (!write_durably(temporary, bytes) || ::rename(temporary.c_str(), file.c_str()) != 0) {
+  if (!write_durably(temporary, file, bytes) || ::rename(temporary.c_str(), file.c_str()) != 0) {
     const int reason = errno;
     ::unlink(temporary.c_str());
     errno = reason;
@@ -86,12 +90,12 @@ void replace_file(const std::filesystem::path& file, const std::vector<char>& by
   }
   // The new name itself must survive a power cut. Some file systems cannot sync folders; the file
   // is in place all the same.
-  const Descriptor folder(::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor folder(::open(folder_of(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.number() >= 0) ::fsync(folder.number());
 }
 
 void remove_leftovers(const std::filesystem::path& file) {
-  const std::string start = file.filename().string() + ".";
+  const std::string start = beginning_on_this_host();
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder_of(file), ignored)) {
     const std::string name = entry.path().filename().string();

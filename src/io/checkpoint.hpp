@@ -14,11 +14,13 @@ Points points_of(const Hdf5Table<double>& table);
 Hdf5Table<double> table_of(const std::vector<Quat>& rotations, Index count);
 std::vector<Quat> rotations_of(const Hdf5Table<double>& table);
 
-/// Writes /checkpoint, /crossings and /work of a result file, which together hold all of a progress,
-/// bit for bit, in units of the wire; and /balance in `units`, those of the configuration. What was
-/// there is replaced.
-void write_progress(hid_t file, const PackingProgress& progress, const Units& units);
-/// In the units of the checkpoint: those of the configuration in files of format version 1.
-PackingProgress read_progress(hid_t file);
+/// Writes a group that holds all of a progress, bit for bit, in units of the wire. What was there is
+/// replaced.
+void write_checkpoint(hid_t file, const std::string& group, const PackingProgress& progress);
+/// Writes what readers look at: /balance in `units`, those of the configuration, /crossings and /work.
+void write_shown(hid_t file, const PackingProgress& progress, const Units& units);
+/// In the units of the checkpoint: those of the configuration in files of format version 1. Throws
+/// FileError where the group has no progress that a run can have.
+PackingProgress read_checkpoint(hid_t file, const std::string& group);
 
 }  // namespace wirepack

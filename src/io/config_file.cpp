@@ -76,7 +76,7 @@ std::optional<ConfigValue> converted_shape(const ConfigValue* value,
 }
 
 // The value in the type of the key; otherwise `problem` says what is allowed. Names of files are
-// relative to the folder, those of overrides to the current one.
+// relative to the folder, those of overrides to their own.
 std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given,
                                      const std::filesystem::path& folder, std::string& problem) {
   const ConfigValue* value = given.value ? &*given.value : nullptr;
@@ -116,7 +116,7 @@ std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given
       problem = "must be " + quoted_list(key.choices);
       return std::nullopt;
     case ConfigType::shape:
-      return converted_shape(value, given.overrides ? std::filesystem::path() : folder, problem);
+      return converted_shape(value, given.overrides ? given.folder : folder, problem);
   }
   return std::nullopt;
 }

@@ -12,27 +12,9 @@ namespace wirepack {
 
 namespace {
 
-constexpr std::size_t longest_shown = 60;
 // Names joined by a hundred thousand dots are tables so deep that destroying them overflows the
 // stack; no sensible line is that long.
 constexpr std::size_t longest_line = 4096;
-
-// Text of a user in a message: without control characters, which a terminal would obey, and short.
-std::string printable(std::string_view text, std::size_t longest = longest_shown) {
-  std::string result(text.substr(0, longest));
-  // a character of UTF-8 that was cut in two goes as a whole
-  if (text.size() > longest) {
-    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80) {
-      result.pop_back();
-    }
-    if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
-    result += "...";
-  }
-  for (char& c : result) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
-  return result;
-}
 
 std::string place(const std::string& source, const toml::source_region& region) {
   return fmt::format("{}:{}:{}", source, region.begin.line, region.begin.column);
@@ -169,6 +151,7 @@ void apply(const ConfigOverride& change, ConfigText& result) {
   key.name = printable(path.substr(dot + 1));
   key.where = origin;
   key.overrides = true;
+  key.folder = change.folder;
   const auto same = [&](const GivenKey& k) {
     return k.section == key.section && k.name == key.name;
   };
@@ -196,6 +179,22 @@ std::string line_hint(std::string_view text, std::uint32_t line) {
 
 }  // namespace
 
+std::string printable(std::string_view text, std::size_t longest) {
+  std::string result(text.substr(0, longest));
+  // a character of UTF-8 that was cut in two goes as a whole
+  if (text.size() > longest) {
+    while (!result.empty() && (static_cast<unsigned char>(result.back()) & 0xC0) == 0x80) {
+      result.pop_back();
+    }
+    if (!result.empty() && static_cast<unsigned char>(result.back()) >= 0xC0) result.pop_back();
+    result += "...";
+  }
+  for (char& c : result) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+  }
+  return result;
+}
+
 std::string shown(const ConfigValue& value) {
   if (const bool* v = std::get_if<bool>(&value)) return *v ? "true" : "false";
   if (const auto* v = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *v);
@@ -204,16 +203,19 @@ std::string shown(const ConfigValue& value) {
   return text_of(std::get<double>(value));
 }
 
+std::optional<std::string> unreadable(std::string_view text, const std::string& source) {
+  if (text.find('\0') != std::string_view::npos) return source + ": is not a text file";
+  if (const std::size_t line = overlong_line(text); line > 0) {
+    return fmt::format("{}:{}:1: the line has more than {} characters", source, line, longest_line);
+  }
+  return std::nullopt;
+}
+
 ConfigText read_config_text(std::string_view text, const std::string& source,
                             const std::vector<ConfigOverride>& overrides) {
   ConfigText result;
-  if (text.find('\0') != std::string_view::npos) {
-    result.problems.push_back(source + ": is not a text file");
-    return result;
-  }
-  if (const std::size_t line = overlong_line(text); line > 0) {
-    result.problems.push_back(
-        fmt::format("{}:{}:1: the line has more than {} characters", source, line, longest_line));
+  if (const auto problem = unreadable(text, source)) {
+    result.problems.push_back(*problem);
     return result;
   }
   try {
@@ -225,12 +227,11 @@ ConfigText read_config_text(std::string_view text, const std::string& source,
                     hint.empty() ? printable(error.description(), 300) : hint));
     return result;
   }
+  for (const ConfigOverride& change : overrides) apply(change, result);
   if (result.keys.empty() && result.problems.empty()) {
     result.problems.push_back(source +
                               ": has no key at all; give at least `radius = 10` in [cavity]");
-    return result;
   }
-  for (const ConfigOverride& change : overrides) apply(change, result);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,10 +15,11 @@ namespace wirepack {
 /// A key as it was given, before anything is known of its meaning.
 struct GivenKey {
   std::string section, name;
-  std::optional<ConfigValue> value;  ///< nothing for arrays, tables, dates and times
-  std::string shown;                 ///< the value as messages show it
-  std::string where;                 ///< "file:line:column", or the origin of an override
-  bool overrides = false;            ///< given in place of the text
+  std::optional<ConfigValue> value;   ///< nothing for arrays, tables, dates and times
+  std::string shown;                  ///< the value as messages show it
+  std::string where;                  ///< "file:line:column", or the origin of an override
+  bool overrides = false;             ///< given in place of the text
+  std::filesystem::path folder = {};  ///< of an override: what names of files are relative to
 };
 
 struct GivenSection {
@@ -33,6 +35,12 @@ struct ConfigText {
 /// Reads TOML. Never throws on account of the text.
 ConfigText read_config_text(std::string_view text, const std::string& source,
                             const std::vector<ConfigOverride>& overrides);
+
+/// What keeps a text from being read as TOML at all: it is none, or would exhaust the parser.
+std::optional<std::string> unreadable(std::string_view text, const std::string& source);
+
+/// Text of a user in a message: without control characters, which a terminal would obey, and short.
+std::string printable(std::string_view text, std::size_t longest = 60);
 
 /// A value as messages and written configurations show it; numbers in the shortest form that reads
 /// back to the same bits.

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/observe/spool_model.hpp"
 
@@ -73,7 +74,7 @@ void run_gnuplot(const std::filesystem::path& folder, const std::string& name,
 // A title that gnuplot shows to the letter.
 std::string title(const std::string& text) {
   std::string quoted;
-  for (const char c : text) quoted += c == '\'' ? "\'\'" : std::string(1, c);
+  for (const char c : plain_text(text)) quoted += c == '\'' ? "\'\'" : std::string(1, c);
   return "title '" + quoted + "' noenhanced";
 }
 
@@ -138,7 +139,8 @@ std::string curves(const std::vector<FigureRun>& runs) {
   std::string text;
   for (const FigureRun& run : runs) {
     const double unit = units_of(run.scenario).scaled_energy();
-    text += fmt::format("# {}\n# packing_density F*R^2/YI E_bend*R/YI E_twist*R/YI\n", run.label);
+    text += fmt::format("# {}\n# packing_density F*R^2/YI E_bend*R/YI E_twist*R/YI\n",
+                        plain_text(run.label));
     for (const HistoryRow& row : run.history) {
       text += fmt::format("{} {} {} {}\n", row.packing_density, row.scaled_force,
                           row.energy_bend / unit, row.energy_twist / unit);
@@ -355,7 +357,7 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
   std::vector<double> values;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const Curve& curve = curves[k];
-    data += fmt::format("# {}\n# packing_density {}\n", curve.label, quantity);
+    data += fmt::format("# {}\n# packing_density {}\n", plain_text(curve.label), quantity);
     for (const auto& [x, y] : curve.points) {
       data += fmt::format("{} {}\n", x, y);
       if (curve.stroke != Stroke::dashed_line) values.push_back(y);

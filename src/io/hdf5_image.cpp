@@ -6,8 +6,10 @@ namespace {
 
 constexpr std::size_t growth = std::size_t{1} << 20;
 
-// HDF5 wants a name, but never looks it up: nothing of this name is made on the disk.
-constexpr const char* name_in_memory = "wirepack-result-in-memory";
+// HDF5 wants names, but never looks them up: nothing of these names is made on the disk. Two open files
+// of one name would be the same to it.
+constexpr const char* new_in_memory = "wirepack-new-result-in-memory";
+constexpr const char* old_in_memory = "wirepack-old-result-in-memory";
 
 Hdf5Handle memory_access() {
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "preparing memory");
@@ -28,7 +30,7 @@ Hdf5Handle with_checksums(Hdf5Handle file) {
 Hdf5Handle create_image() {
   const Hdf5Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "creating the file");
   hdf5_checked(H5Pset_obj_track_times(properties, false), "creating the file");
-  return with_checksums({H5Fcreate(name_in_memory, H5F_ACC_TRUNC, properties, memory_access()),
+  return with_checksums({H5Fcreate(new_in_memory, H5F_ACC_TRUNC, properties, memory_access()),
                          H5Fclose, "creating the file"});
 }
 
@@ -36,7 +38,7 @@ Hdf5Handle open_image(std::vector<char>& bytes) {
   const Hdf5Handle access = memory_access();
   hdf5_checked(H5Pset_file_image(access, bytes.data(), bytes.size()), "loading the file");
   return with_checksums(
-      {H5Fopen(name_in_memory, H5F_ACC_RDWR, access), H5Fclose, "opening the file"});
+      {H5Fopen(old_in_memory, H5F_ACC_RDWR, access), H5Fclose, "opening the file"});
 }
 
 std::vector<char> bytes_of_image(hid_t file) {

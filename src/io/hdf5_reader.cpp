@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <system_error>
 
@@ -10,14 +11,22 @@
 #include "wirepack/packing/own_units.hpp"
 
 #include "checkpoint.hpp"
+#include "config_text.hpp"
+#include "hdf5_checksum.hpp"
+#include "hdf5_safety.hpp"
 #include "hdf5_values.hpp"
 #include "result_format.hpp"
+#include "saved_values.hpp"
 
 namespace wirepack {
 
 struct Hdf5Reader::Opened {
   std::string name;
   Hdf5Handle file;
+  std::int64_t version;
+
+  /// What has the attributes that are read.
+  Hdf5Handle facts() const { return open_group(file, version < 3 ? "/" : provenance_group); }
 };
 
 namespace {
@@ -57,15 +66,19 @@ auto reading(const std::string& name, F&& f) {
   }
 }
 
-std::int64_t version_of(hid_t file) { return read_attribute<std::int64_t>(file, "format_version"); }
+std::string read_text(hid_t file, std::int64_t version, const std::string& name) {
+  if (version < 3) return read_text_attribute(file, name);
+  return read_fixed_text(open_group(file, provenance_group), name);
+}
 
-void require_format(hid_t file, const std::string& name) {
+/// The version of its format, of a file that is one of wirepack.
+std::int64_t version_of(hid_t file, const std::string& name) {
   const QuietHdf5 quiet;
   std::string format;
   std::int64_t version = 0;
   try {
-    format = read_text_attribute(file, "format");
-    version = version_of(file);
+    version = read_attribute<std::int64_t>(file, "format_version");
+    format = read_text(file, has_link(file, provenance_group) ? 3 : 2, "format");
   } catch (const FileError&) {
     format.clear();
   }
@@ -74,11 +87,7 @@ void require_format(hid_t file, const std::string& name) {
     throw FileError(fmt::format("{}: has format version {}; this wirepack reads versions 1 to {}",
                                 name, version, result_format_version));
   }
-}
-
-herr_t note_name(hid_t, const char* name, const H5L_info_t*, void* names) {
-  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
-  return 0;
+  return version;
 }
 
 std::string frame_name(std::int64_t increment) { return fmt::format("{:06}", increment); }
@@ -100,29 +109,47 @@ PackingFrame read_frame(hid_t group) {
   frame.wall_force = vector_of(read_table<double>(group, "wall_force", 0).values);
   const auto pairs = read_table<std::int64_t>(group, "contact_pairs", 2);
   const auto forces = read_table<double>(group, "contact_force", 0);
-  const Index n = frame.rod.node_count();
-  const bool fits = n >= 2 && static_cast<Index>(frame.rod.frames.size()) == n - 1 &&
-                    frame.bend_energy.size() == n && frame.twist_energy.size() == n &&
-                    frame.wall_force.size() == n && pairs.rows == forces.rows;
-  if (!fits) throw FileError("a frame has lists of unfitting lengths");
+  if (pairs.rows != forces.rows) throw FileError("a frame has lists of unfitting lengths");
   for (std::size_t i = 0; i < forces.values.size(); ++i) {
     SelfContact contact{};
     contact.edges = {pairs.values[2 * i], pairs.values[2 * i + 1]};
     contact.force = forces.values[i];
-    if (contact.edges.first < 0 || contact.edges.second >= n - 1 ||
-        contact.edges.first >= contact.edges.second) {
-      throw FileError("a frame has a contact of edges that are not there");
-    }
     frame.contacts.push_back(contact);
   }
+  check_frame(frame);
   return frame;
+}
+
+// A checkpoint belongs to a row of the history, the last one to the last row.
+void check_place(const HistoryRow& last, const std::vector<HistoryRow>& rows, const Units& units,
+                 bool is_last) {
+  const auto count = static_cast<double>(rows.size());
+  const bool fits =
+      is_last ? last.increment == count : 0 <= last.increment && last.increment <= count;
+  if (!fits || last.increment != std::floor(last.increment)) {
+    throw FileError("a checkpoint and the history are of different increments");
+  }
+  if (last.increment == 0) return;
+  const double length = rows[static_cast<std::size_t>(last.increment) - 1].inserted_length;
+  if (std::abs(last.inserted_length * units.length - length) > 1e-9 * length) {
+    throw FileError("a checkpoint and the history have different lengths of wire");
+  }
 }
 
 }  // namespace
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file)
-    : opened_(std::make_unique<Opened>(Opened{file.string(), open_result(file)})) {
-  require_format(opened_->file, opened_->name);
+    : opened_(std::make_unique<Opened>(Opened{file.string(), open_result(file), 0})) {
+  reading(opened_->name, [&] { check_safety(opened_->file); });
+  opened_->version = version_of(opened_->file, opened_->name);
+  if (opened_->version < 3) return;
+  reading(opened_->name, [&] {
+    const Hdf5Handle facts = opened_->facts();
+    verify_checksum(facts);
+    if (read_attribute<std::int64_t>(facts, "format_version") != opened_->version) {
+      throw FileError("it tells two versions of its format");
+    }
+  });
 }
 Hdf5Reader::~Hdf5Reader() = default;
 Hdf5Reader::Hdf5Reader(Hdf5Reader&&) noexcept = default;
@@ -130,6 +157,7 @@ Hdf5Reader::Hdf5Reader(Hdf5Reader&&) noexcept = default;
 std::vector<HistoryRow> Hdf5Reader::history() const {
   return reading(opened_->name, [&] {
     const Hdf5Handle group = open_group(opened_->file, "history");
+    if (opened_->version >= 3) verify_checksum(group);
     std::vector<HistoryRow> rows;
     bool first = true;
     for (const HistoryColumn& column : history_columns) {
@@ -144,18 +172,15 @@ std::vector<HistoryRow> Hdf5Reader::history() const {
       }
       for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*column.value = table.values[i];
     }
+    check_history(rows);
     return rows;
   });
 }
 
 std::vector<std::int64_t> Hdf5Reader::frame_increments() const {
   return reading(opened_->name, [&] {
-    const Hdf5Handle group = open_group(opened_->file, "frames");
-    std::vector<std::string> names;
-    hdf5_checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_name, &names),
-                 "listing the frames");
     std::vector<std::int64_t> increments;
-    for (const std::string& name : names) {
+    for (const std::string& name : links_of(open_group(opened_->file, "frames"))) {
       std::int64_t number = 0;
       const char* end = name.data() + name.size();
       const auto [stopped, status] = std::from_chars(name.data(), end, number);
@@ -170,34 +195,84 @@ std::vector<std::int64_t> Hdf5Reader::frame_increments() const {
 PackingFrame Hdf5Reader::frame(std::int64_t increment) const {
   return reading(opened_->name, [&] {
     const Hdf5Handle frames = open_group(opened_->file, "frames");
-    return read_frame(open_group(frames, frame_name(increment)));
+    const Hdf5Handle group = open_group(frames, frame_name(increment));
+    if (has_attribute(group, "checksum")) verify_checksum(group);  // since format version 3
+    PackingFrame frame = read_frame(group);
+    if (frame.increment != static_cast<double>(increment)) {
+      throw FileError("a frame is that of another increment");
+    }
+    return frame;
   });
 }
 
-PackingProgress Hdf5Reader::progress() const {
+bool Hdf5Reader::has_column(const std::string& name) const {
+  return reading(opened_->name,
+                 [&] { return has_link(open_group(opened_->file, "history"), name); });
+}
+
+PackingProgress Hdf5Reader::checkpoint(const std::string& group) const {
+  const std::vector<HistoryRow> rows = history();
+  const Units units = units_of(scenario());
   return reading(opened_->name, [&] {
-    PackingProgress progress = read_progress(opened_->file);
-    if (version_of(opened_->file) == 1) {
-      progress = in_own_units(std::move(progress), units_of(scenario()));
-    }
-    check_state(progress.rod);
+    if (opened_->version >= 3) verify_checksum(open_group(opened_->file, group));
+    PackingProgress progress = read_checkpoint(opened_->file, group);
+    if (opened_->version == 1) progress = in_own_units(std::move(progress), units);
+    check_place(progress.last, rows, units, group == checkpoint_group);
     return progress;
   });
 }
 
+PackingProgress Hdf5Reader::progress() const {
+  try {
+    return checkpoint(checkpoint_group);
+  } catch (const FileError&) {
+    if (!has_link(opened_->file, checkpoint_before_group)) throw;
+  }
+  return checkpoint(checkpoint_before_group);
+}
+
+std::optional<PackingProgress> Hdf5Reader::progress_before() const {
+  if (!has_link(opened_->file, checkpoint_before_group)) return std::nullopt;
+  try {
+    return checkpoint(checkpoint_before_group);
+  } catch (const FileError&) {  // the last one is enough
+    return std::nullopt;
+  }
+}
+
+std::string Hdf5Reader::damage() const {
+  try {
+    checkpoint(checkpoint_group);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
 namespace {
 
-std::string text(const std::string& file_name, hid_t file, const char* attribute) {
-  return reading(file_name, [&] { return read_text_attribute(file, attribute); });
+std::string text(const std::string& file_name, hid_t file, std::int64_t version,
+                 const std::string& name) {
+  return reading(file_name, [&] { return read_text(file, version, name); });
 }
 
 }  // namespace
 
-std::string Hdf5Reader::config() const { return text(opened_->name, opened_->file, "config"); }
+std::string Hdf5Reader::config() const {
+  return text(opened_->name, opened_->file, opened_->version, "config");
+}
 
 Scenario Hdf5Reader::scenario() const {
   try {
-    return parse_config(config(), "config");
+    const std::string text = config();
+    // Shapes are written out in a result, so that nothing but the result itself is read.
+    for (const GivenKey& key : read_config_text(text, "config", {}).keys) {
+      if (key.name == "reference_shape" && key.value &&
+          std::holds_alternative<std::string>(*key.value)) {
+        throw InvalidInput(key.where + ": wire.reference_shape is the name of a file");
+      }
+    }
+    return parse_config(text, "config");
   } catch (const InvalidInput& error) {
     throw FileError(opened_->name +
                     ": its configuration is not one of this version: " + error.what());
@@ -205,30 +280,31 @@ Scenario Hdf5Reader::scenario() const {
 }
 
 std::string Hdf5Reader::command_line() const {
-  return text(opened_->name, opened_->file, "command_line");
+  return text(opened_->name, opened_->file, opened_->version, "command_line");
 }
 std::string Hdf5Reader::program_version() const {
-  return text(opened_->name, opened_->file, "program_version");
+  return text(opened_->name, opened_->file, opened_->version, "program_version");
 }
 std::string Hdf5Reader::git_commit() const {
-  return text(opened_->name, opened_->file, "git_commit");
+  return text(opened_->name, opened_->file, opened_->version, "git_commit");
 }
 std::string Hdf5Reader::library_versions() const {
-  return text(opened_->name, opened_->file, "library_versions");
+  return text(opened_->name, opened_->file, opened_->version, "library_versions");
 }
 std::string Hdf5Reader::stop_reason() const {
-  return text(opened_->name, opened_->file, "stop_reason");
+  return text(opened_->name, opened_->file, opened_->version, "stop_reason");
 }
 std::string Hdf5Reader::note(const std::string& name) const {
-  if (!has_attribute(opened_->file, name)) return {};
-  return text(opened_->name, opened_->file, name.c_str());
+  const bool there = reading(opened_->name, [&] { return has_attribute(opened_->facts(), name); });
+  return there ? text(opened_->name, opened_->file, opened_->version, name) : std::string();
 }
 bool Hdf5Reader::finished() const {
   return reading(opened_->name,
-                 [&] { return read_attribute<std::int64_t>(opened_->file, "finished") != 0; });
+                 [&] { return read_attribute<std::int64_t>(opened_->facts(), "finished") != 0; });
 }
 double Hdf5Reader::phi_max() const {
-  return reading(opened_->name, [&] { return read_attribute<double>(opened_->file, "phi_max"); });
+  return reading(opened_->name,
+                 [&] { return read_attribute<double>(opened_->facts(), "phi_max"); });
 }
 
 }  // namespace wirepack

@@ -10,7 +10,9 @@
 
 #include "atomic_file.hpp"
 #include "checkpoint.hpp"
+#include "hdf5_checksum.hpp"
 #include "hdf5_image.hpp"
+#include "hdf5_safety.hpp"
 #include "hdf5_values.hpp"
 #include "result_format.hpp"
 
@@ -41,12 +43,9 @@ std::vector<T> column_of(const std::vector<HistoryRow>& rows, double HistoryRow:
 void write_history(hid_t file, const std::vector<HistoryColumn>& columns,
                    const std::vector<HistoryRow>& rows) {
   const Hdf5Handle history = open_or_create_group(file, "history");
-  const bool begun = has_link(history, std::string(columns.front().name));
   for (const HistoryColumn& column : columns) {
     const std::string name(column.name);
     const bool is_new = !has_link(history, name);
-    // a file that was begun without the column goes on without it: columns are equally long
-    if (is_new && column.added_later && begun) continue;
     if (column.integer) {
       append_values(history, name, column_of<std::int64_t>(rows, column.value));
     } else {
@@ -57,6 +56,7 @@ void write_history(hid_t file, const std::vector<HistoryColumn>& columns,
                              "opening " + name);
     write_attribute(dataset, "unit", std::string(column.unit));
   }
+  write_checksum(history);
 }
 
 void write_frame(hid_t frames, const PackingFrame& frame) {
@@ -81,18 +81,40 @@ void write_frame(hid_t frames, const PackingFrame& frame) {
   }
   write_table(group, "contact_pairs", pairs);
   write_table(group, "contact_force", forces);
+  write_checksum(group);
 }
 
-void write_provenance(hid_t file, const Scenario& scenario, const std::string& command_line) {
+/// Writes attributes of / for all readers, and again with a checksum for Hdf5Reader.
+class Facts {
+ public:
+  explicit Facts(hid_t file)
+      : file_(file), provenance_(open_or_create_group(file, provenance_group)) {}
+  void write(const std::string& name, const std::string& text) {
+    write_attribute(file_, name, text);
+    write_fixed_text(provenance_, name, text);
+  }
+  template <class Number>
+  void write(const std::string& name, Number value) {
+    write_attribute(file_, name, value);
+    write_attribute(provenance_, name, value);
+  }
+  void seal() { write_checksum(provenance_); }
+
+ private:
+  hid_t file_;
+  Hdf5Handle provenance_;
+};
+
+void write_provenance(Facts& facts, const Scenario& scenario, const std::string& command_line) {
   const Version build = version();
-  write_attribute(file, "format", std::string(result_format));
-  write_attribute(file, "format_version", result_format_version);
-  write_attribute(file, "program_version", std::string(build.program));
-  write_attribute(file, "git_commit", std::string(build.git_commit));
-  write_attribute(file, "library_versions", std::string(build.libraries));
-  write_attribute(file, "command_line", command_line);
-  write_attribute(file, "config", resolved_config(scenario));
-  write_attribute(file, "seed", static_cast<std::int64_t>(scenario.seed));
+  facts.write("format", std::string(result_format));
+  facts.write("format_version", result_format_version);
+  facts.write("program_version", std::string(build.program));
+  facts.write("git_commit", std::string(build.git_commit));
+  facts.write("library_versions", std::string(build.libraries));
+  facts.write("command_line", command_line);
+  facts.write("config", resolved_config(scenario));
+  facts.write("seed", static_cast<std::int64_t>(scenario.seed));
 }
 
 void write_setup(hid_t file, const Scenario& scenario) {
@@ -103,43 +125,87 @@ void write_setup(hid_t file, const Scenario& scenario) {
   replace_table(group, "nozzle_direction", list_of(drawn.nozzle.direction));
 }
 
+/// A new image with the frames of an old one up to an increment.
+Hdf5Handle image_with_frames(std::vector<char>& bytes, double last_increment) {
+  const Hdf5Handle old = open_image(bytes);
+  check_safety(old);
+  Hdf5Handle image = create_image();
+  hdf5_checked(H5Ocopy(old, "frames", image, "frames", H5P_DEFAULT, H5P_DEFAULT),
+               "taking over its frames");
+  const Hdf5Handle frames = open_group(image, "frames");
+  for (const std::string& name : links_of(frames)) {
+    if (std::stod(name) > last_increment) remove_link(frames, name);
+  }
+  return image;
+}
+
 }  // namespace
 
 Hdf5Recorder::Hdf5Recorder(const std::filesystem::path& file, const Scenario& scenario,
                            std::string command_line)
-    : file_(resolved(file)), scenario_(scenario), command_line_(std::move(command_line)) {}
+    : file_(resolved(file)),
+      scenario_(scenario),
+      command_line_(std::move(command_line)),
+      columns_(columns_of(scenario)) {}
 
 Hdf5Recorder Hdf5Recorder::continuing(const std::filesystem::path& file, const Scenario& scenario,
-                                      const std::string& command_line) {
-  const std::string before = Hdf5Reader(file).command_line();
-  Hdf5Recorder recorder(file, scenario, before + "\n" + command_line);
+                                      const std::string& command_line,
+                                      const PackingProgress& from) {
+  const Hdf5Reader reader(file);
+  Hdf5Recorder recorder(file, scenario, reader.command_line() + "\n" + command_line);
   recorder.exists_ = true;
+  recorder.kept_up_to_ = from.last.increment;
+  recorder.rows_ = reader.history();
+  reader.frame_increments();  // all names are numbers
+  recorder.rows_.resize(static_cast<std::size_t>(from.last.increment));
+  // a file that was begun without a column goes on without it: columns are equally long
+  std::erase_if(recorder.columns_, [&](const HistoryColumn& column) {
+    return column.added_later && !reader.has_column(std::string(column.name));
+  });
+  recorder.last_ = from;
+  recorder.before_ = reader.progress_before();
   remove_leftovers(recorder.file_);
   return recorder;
 }
 
 void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReason> stop) {
   const QuietHdf5 quiet;
+  if (last_ && last_->last.increment < progress.last.increment) before_ = last_;
+  // What comes behind it is dropped; and how far a run that is lost was saved before is a matter of time.
+  const bool lost = stop == StopReason::no_equilibrium || stop == StopReason::strands_passed;
+  if (lost || (before_ && before_->last.increment >= progress.last.increment)) before_.reset();
+  last_ = progress;
   std::vector<char> bytes;
   if (exists_) bytes = read_bytes(file_);
   try {
-    const Hdf5Handle image = exists_ ? open_image(bytes) : create_image();
-    write_provenance(image, scenario_, command_line_);
+    const Hdf5Handle image = !exists_      ? create_image()
+                             : kept_up_to_ ? image_with_frames(bytes, *kept_up_to_)
+                                           : open_image(bytes);
+    Facts facts(image);
+    write_provenance(facts, scenario_, command_line_);
+    for (const auto& [name, text] : notes_) facts.write(name, text);
+    facts.write("finished", static_cast<std::int64_t>(stop.has_value()));
+    facts.write("stop_reason", stop ? std::string(name_of(*stop)) : std::string());
+    facts.write("phi_max", progress.last.packing_density);
+    facts.seal();
     write_setup(image, scenario_);
-    for (const auto& [name, text] : notes_) write_attribute(image, name, text);
-    write_attribute(image, "finished", static_cast<std::int64_t>(stop.has_value()));
-    write_attribute(image, "stop_reason", stop ? std::string(name_of(*stop)) : std::string());
-    write_attribute(image, "phi_max", progress.last.packing_density);
-    write_history(image, columns_of(scenario_), rows_);
+    write_history(image, columns_, rows_);
     const Hdf5Handle frames = open_or_create_group(image, "frames");
     for (const PackingFrame& frame : frames_) write_frame(frames, frame);
-    write_progress(image, progress, units_of(scenario_));
+    write_checkpoint(image, checkpoint_group, progress);
+    if (before_) {
+      write_checkpoint(image, checkpoint_before_group, *before_);
+    } else if (has_link(image, checkpoint_before_group)) {
+      remove_link(image, checkpoint_before_group);
+    }
+    write_shown(image, progress, units_of(scenario_));
     bytes = bytes_of_image(image);
   } catch (const FileError& error) {
     throw FileError(file_.string() + ": cannot be written: " + error.what());
   }
   replace_file(file_, bytes);
   exists_ = true;
+  kept_up_to_.reset();
   rows_.clear();
   frames_.clear();
 }

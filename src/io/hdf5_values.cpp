@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace wirepack {
@@ -88,6 +89,22 @@ bool has_link(hid_t location, const std::string& name) {
   return hdf5_checked(H5Lexists(location, name.c_str(), H5P_DEFAULT), "looking for " + name) > 0;
 }
 
+namespace {
+
+herr_t note_link(hid_t, const char* name, const H5L_info_t*, void* names) {
+  static_cast<std::vector<std::string>*>(names)->emplace_back(name);
+  return 0;
+}
+
+}  // namespace
+
+std::vector<std::string> links_of(hid_t group) {
+  std::vector<std::string> names;
+  hdf5_checked(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, note_link, &names),
+               "listing a group");
+  return names;
+}
+
 void remove_link(hid_t location, const std::string& name) {
   hdf5_checked(H5Ldelete(location, name.c_str(), H5P_DEFAULT), "replacing " + name);
 }
@@ -106,6 +123,36 @@ Hdf5Handle open_or_create_group(hid_t location, const std::string& name) {
                      H5P_DEFAULT),
           H5Gclose, "creating " + name};
 }
+
+namespace {
+
+hsize_t size_of_file(hid_t location) {
+  hsize_t size = 0;
+  const Hdf5Handle file(H5Iget_file_id(location), H5Fclose, "reading a file");
+  hdf5_checked(H5Fget_filesize(file, &size), "reading a file");
+  return size;
+}
+
+Hdf5Handle fixed_text_type(std::size_t size) {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "preparing a text");
+  hdf5_checked(H5Tset_size(type, std::max<std::size_t>(size, 1)), "preparing a text");
+  hdf5_checked(H5Tset_strpad(type, H5T_STR_NULLPAD), "preparing a text");
+  hdf5_checked(H5Tset_cset(type, H5T_CSET_UTF8), "preparing a text");
+  return type;
+}
+
+// Squares and products of what a run has are far below.
+constexpr double largest_number = 1e100;
+
+void check_number(double value, const std::string& name) {
+  if (!(std::abs(value) <= largest_number)) {
+    throw FileError(name + " has a number that no run can have");
+  }
+}
+void check_number(std::int64_t, const std::string&) {}
+void check_number(std::uint64_t, const std::string&) {}
+
+}  // namespace
 
 template <class T>
 void write_attribute(hid_t location, const std::string& name, T value) {
@@ -131,7 +178,33 @@ T read_attribute(hid_t location, const std::string& name) {
     throw FileError("reading attribute " + name + " failed");
   }
   hdf5_checked(H5Aread(attribute, hdf5_memory_type<T>(), &value), "reading attribute " + name);
+  check_number(value, "attribute " + name);
   return value;
+}
+
+void write_fixed_text(hid_t location, const std::string& name, const std::string& value) {
+  if (has_attribute(location, name)) {
+    if (read_fixed_text(location, name) == value) return;
+    hdf5_checked(H5Adelete(location, name.c_str()), "replacing attribute " + name);
+  }
+  const Hdf5Handle type = fixed_text_type(value.size());
+  const Hdf5Handle attribute = open_attribute(location, name, type);
+  hdf5_checked(H5Awrite(attribute, type, value.c_str()), "writing attribute " + name);
+}
+
+std::string read_fixed_text(hid_t location, const std::string& name) {
+  const std::string what = "reading attribute " + name;
+  const Hdf5Handle attribute(H5Aopen(location, name.c_str(), H5P_DEFAULT), H5Aclose, what);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose, what);
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose, what);
+  const std::size_t size = H5Tget_size(type);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0 ||
+      H5Sget_simple_extent_npoints(space) != 1 || size > size_of_file(location)) {
+    throw FileError(what + " failed");
+  }
+  std::string text(size, '\0');
+  hdf5_checked(H5Aread(attribute, fixed_text_type(size), text.data()), what);
+  return text.substr(0, text.find('\0'));
 }
 
 std::string read_text_attribute(hid_t location, const std::string& name) {
@@ -215,10 +288,7 @@ Hdf5Table<T> read_table(hid_t location, const std::string& name, hsize_t columns
   table.columns = columns;
   // A damaged header can announce any size; what is not in the file cannot be read anyway.
   const hsize_t width = std::max<hsize_t>(1, columns);
-  hsize_t file_size = 0;
-  const Hdf5Handle file(H5Iget_file_id(location), H5Fclose, "reading " + name);
-  hdf5_checked(H5Fget_filesize(file, &file_size), "reading " + name);
-  if (table.rows > file_size / (sizeof(T) * width)) {
+  if (table.rows > size_of_file(location) / (sizeof(T) * width)) {
     throw FileError(name + " has an unexpected shape");
   }
   table.values.resize(table.rows * width);
@@ -226,6 +296,7 @@ Hdf5Table<T> read_table(hid_t location, const std::string& name, hsize_t columns
   hdf5_checked(
       H5Dread(dataset, hdf5_memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()),
       "reading " + name);
+  for (const T value : table.values) check_number(value, name);
   return table;
 }
 

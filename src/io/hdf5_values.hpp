@@ -26,6 +26,8 @@ struct Hdf5Table {
 Hdf5Handle open_or_create_group(hid_t location, const std::string& name);
 Hdf5Handle open_group(hid_t location, const std::string& name);
 bool has_link(hid_t location, const std::string& name);
+/// Names of what a group holds, in order.
+std::vector<std::string> links_of(hid_t group);
 void remove_link(hid_t location, const std::string& name);
 
 /// Sets an attribute, new or not.
@@ -36,6 +38,11 @@ bool has_attribute(hid_t location, const std::string& name);
 template <class T>
 T read_attribute(hid_t location, const std::string& name);
 std::string read_text_attribute(hid_t location, const std::string& name);
+
+// Texts of variable length, as above, are what other readers take for texts; they lie in a heap without
+// checksum, a damage of which HDF5 does not survive. Those of fixed length lie beside their name.
+void write_fixed_text(hid_t location, const std::string& name, const std::string& value);
+std::string read_fixed_text(hid_t location, const std::string& name);
 
 // All data have checksums, so that a damaged file is noticed and not computed with.
 
@@ -50,6 +57,7 @@ void replace_table(hid_t location, const std::string& name, const Hdf5Table<T>& 
 template <class T>
 void append_values(hid_t location, const std::string& name, const std::vector<T>& values);
 /// Throws FileError unless it has `columns` columns (0: is a plain list).
+/// Numbers beyond any that a run can have, and none at all (NaN), are a damage, too.
 template <class T>
 Hdf5Table<T> read_table(hid_t location, const std::string& name, hsize_t columns);
 

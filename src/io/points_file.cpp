@@ -190,7 +190,13 @@ class Reader {
   }
 
   MeasuredPoints points() {
-    if (points_.line.empty()) throw InvalidInput(file_ + ": holds no points");
+    if (points_.line.empty()) {
+      throw InvalidInput(names_.empty()
+                             ? fmt::format("{}: holds no points", file_)
+                             : fmt::format("{}: holds no points: no line is of numbers, the last "
+                                           "one begins with '{}'",
+                                           file_, names_.front().name));
+    }
     const auto n = static_cast<Index>(points_.line.size());
     const auto column = [&](std::size_t c) {
       return Eigen::Map<const Eigen::VectorXd>(values_[c].data(), n);

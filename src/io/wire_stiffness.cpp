@@ -12,8 +12,8 @@ namespace wirepack {
 
 namespace {
 
-constexpr double largest_poisson_ratio = 0.5;
-// Twisting stiffness over bending stiffness; a Poisson ratio of -1 makes it infinite.
+constexpr double largest_poisson_ratio = 0.5;  // of the stock of a coil
+// Of twisting stiffness and bending stiffness, either over the other.
 constexpr double largest_twist_ratio = 1e6;
 // Shorter is no molecule: lengths are in metres, and not in the nm that are taken without units.
 constexpr double shortest_persistence = 1e-3;
@@ -165,17 +165,13 @@ class StiffnessReader {
     wire.radius = radius();
     wire.youngs_modulus = number("wire.youngs_modulus");
     const double bend = stiffness(wire).bend;
-    const double least = bend / (1 + largest_poisson_ratio);
-    if (!(twist >= least * (1 - 1e-9) && twist <= bend * largest_twist_ratio)) {
-      complain(
-          "wire.torsional_stiffness",
-          fmt::format("must be at least {:.6g}, two thirds of the bending stiffness (a Poisson "
-                      "ratio of 0.5), and at most {:.0e} of it",
-                      least, largest_twist_ratio));
+    if (!(twist * largest_twist_ratio >= bend && twist <= bend * largest_twist_ratio)) {
+      complain("wire.torsional_stiffness",
+               fmt::format("must be between {:.0e} and {:.0e} times the bending stiffness, {:.6g}",
+                           1 / largest_twist_ratio, largest_twist_ratio, bend));
       return;
     }
-    numbers_["wire.poisson_ratio"] = std::min(
-        elasticity_of({bend, bend, twist}, wire.radius).poisson_ratio, largest_poisson_ratio);
+    numbers_["wire.poisson_ratio"] = elasticity_of({bend, bend, twist}, wire.radius).poisson_ratio;
   }
 
   GivenNumbers& numbers_;

@@ -1,16 +1,12 @@
 #include "xml_text.hpp"
 
+#include "wirepack/core/plain_text.hpp"
+
 namespace wirepack {
-
-namespace {
-
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t'; }
-
-}  // namespace
 
 std::string xml_escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : plain_lines(text)) {
     if (c == '&') {
       result += "&amp;";
     } else if (c == '<') {
@@ -20,7 +16,7 @@ std::string xml_escaped(std::string_view text) {
     } else if (c == '"') {
       result += "&quot;";
     } else {
-      result += is_control(c) ? ' ' : c;
+      result += c;
     }
   }
   return result;
@@ -28,9 +24,9 @@ std::string xml_escaped(std::string_view text) {
 
 std::string xml_comment(std::string_view text) {
   std::string result = "<!-- ";
-  for (const char c : text) {
+  for (const char c : plain_lines(text)) {
     if (c == '-' && result.back() == '-') result += ' ';
-    result += is_control(c) ? ' ' : c;
+    result += c;
   }
   return result + " -->\n";
 }

@@ -46,6 +46,16 @@ void check_rest_shape(const Scenario& scenario, std::vector<std::string>& found)
       " at most, cavity.radius is ", radius, ": are both in the same unit of length?");
 }
 
+// Nothing else in a run depends on Poisson's ratio.
+void check_torsion(const Scenario& scenario, std::vector<std::string>& found) {
+  constexpr double largest_of_solids = 0.5;
+  if (scenario.wire.poisson_ratio <= largest_of_solids * (1 + round_off)) return;
+  const Stiffness of_wire = stiffness(scenario.wire);
+  add(found, "GJ = ", of_wire.twist, " is below two thirds of EI = ", of_wire.bend,
+      ", as in no solid round wire: wire.poisson_ratio = ", scenario.wire.poisson_ratio,
+      " is above 0.5");
+}
+
 void check_mesh(const Scenario& scenario, std::vector<std::string>& found) {
   const double a = scenario.wire.radius, l = scenario.wire.edge_length;
   if (l > 2 * a * (1 + round_off)) {
@@ -63,6 +73,7 @@ void check_mesh(const Scenario& scenario, std::vector<std::string>& found) {
 std::vector<std::string> warnings(const Scenario& scenario, double expected_length) {
   std::vector<std::string> found;
   check_rest_shape(scenario, found);
+  check_torsion(scenario, found);
   check_mesh(scenario, found);
   const double density = packing_density(expected_length, scenario.cavity, scenario.wire.radius);
   const double frames = std::floor(density / scenario.output.frame_every_density) + 1;

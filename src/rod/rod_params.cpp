@@ -31,8 +31,8 @@ std::vector<std::string> problems(const RodParams& params) {
   require(!positive(params.youngs_modulus) ||
               (params.youngs_modulus >= 1e-60 && params.youngs_modulus <= 1e60),
           "wire.youngs_modulus", params.youngs_modulus, "must be between 1e-60 and 1e60");
-  require(params.poisson_ratio > -1 && params.poisson_ratio <= 0.5, "wire.poisson_ratio",
-          params.poisson_ratio, "must be above -1 and at most 0.5");
+  require(params.poisson_ratio > -1 && params.poisson_ratio <= 1e6, "wire.poisson_ratio",
+          params.poisson_ratio, "must be above -1 and at most 1e6");
   require(positive(params.stretch_multiplier), "wire.stretch_multiplier", params.stretch_multiplier,
           "must be positive and finite");
   require(positive(params.edge_length), "wire.edge_length", params.edge_length,

@@ -32,7 +32,7 @@ class BadInput(ProgramTest):
             ("[cavity]\nradius = nan", "must be a finite number"),
             ("[cavity]\nradius = inf", "must be a finite number"),
             ("[cavity]\nradius = 1.5", "must be at least twice wire.radius"),
-            ("[wire]\npoisson_ratio = 0.7", "run.toml:2:1: wire.poisson_ratio = 0.7"),
+            ("[wire]\npoisson_ratio = -1", "run.toml:2:1: wire.poisson_ratio = -1"),
             ("[wire]\ndensity = 0", "must be positive and finite"),
             ("[wire]\nedge_length = -1", "wire.edge_length = -1: must be positive"),
             ("[wire]\nradius = 1e-31", "2:1: wire.radius = 1e-31: must be between 1e-30 and 1e30"),
@@ -47,6 +47,18 @@ class BadInput(ProgramTest):
         ]:
             with self.subTest(text):
                 self.refuse_config(text, allowed)
+
+    def test_runs_that_no_machine_can_do_are_refused_with_an_estimate(self):
+        for text in (
+            "[cavity]\nradius = 1000",
+            "[cavity]\nradius = 10\n[output]\nframe_every_density = 1e-12",
+        ):
+            parts = ["a run at R = 10", " is impossible: about ", " nodes", " GB", "years", "stop"]
+            self.refuse_config(text, *parts)
+            self.refuse(["run", "run.toml", "--dry-run"], *parts)
+        self.write("run.toml", "[cavity]\nradius = 1000\n[stop]\nlength = 100")
+        code, out, err = self.run_program("run", "run.toml", "--dry-run")
+        self.assertEqual(code, 0, err)
 
     def test_wrong_types(self):
         for text, allowed in [

@@ -59,6 +59,11 @@ class Inputs(ProgramTest):
         with h5py.File(self.folder / "out.h5") as file:
             self.assertEqual(file.attrs["warnings"].count(tight), 1)
 
+    def test_a_wire_may_twist_more_easily_than_a_solid_one_which_is_said(self):
+        text = '[wire]\nbending_stiffness = 2\ntorsional_stiffness = 0.5\n[cavity]\nradius = 4\n'
+        _, err = self.run_config(text + "[stop]\nincrements = 8\n")
+        self.assertIn("GJ = 0.5 is below two thirds of EI = 2", err)
+
     def test_a_lost_run_goes_on_with_other_minimizer_values_which_the_file_keeps(self):
         few = ["--set", "minimizer.max_evaluations = 3"]
         _, err = self.run_config(SMALL_RUN, *few, code=3)

@@ -18,7 +18,9 @@ class Output(ProgramTest):
         self.commands = {
             "fit": ("fit", "points.csv", "--model", "helix"),
             "run": ("run", "run.toml", "--set", "stop.increments=2"),
+            "view": ("view", "made.h5"),
         }
+        self.assertEqual(self.call("run", "made.h5")[0], 0)
 
     def call(self, command, output, *more):
         return self.run_program(*self.commands[command], "-o", output, *more)
@@ -39,7 +41,7 @@ class Output(ProgramTest):
                 self.assertNotEqual((self.folder / "there").read_bytes(), b"something")
 
     def test_an_input_is_never_replaced_under_any_name(self):
-        for command, inputs in {"fit": ["points.csv"], "run": ["run.toml", "rest.toml"]}.items():
+        for command, inputs in {"fit": ["points.csv"], "run": ["run.toml", "rest.toml"], "view": ["made.h5"]}.items():
             for name in inputs:
                 for link in (None, os.symlink, os.link):
                     with self.subTest((command, name, link)):

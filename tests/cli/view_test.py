@@ -78,16 +78,16 @@ class View(ProgramTest):
         self.assertEqual(old.read_text(), "old")
         os.symlink("result.h5", self.folder / "link.html")
         for page in ("result.h5", "./result.h5", "link.html"):
-            self.expect_refusal(2, "is the result itself", "result.h5", "-o", page, "--force")
+            self.expect_refusal(2, "is an input of this command", "result.h5", "-o", page, "--force")
         (self.folder / "folder").mkdir()
-        self.expect_refusal(2, "not a regular file", "result.h5", "-o", "folder", "--force")
+        self.expect_refusal(2, "is a folder", "result.h5", "-o", "folder", "--force")
         code, _, err = self.run_program("view", "result.h5", "-o", "old.html", "--force")
         self.assertEqual(code, 0, err)
         self.assertTrue(old.read_text().startswith("<!DOCTYPE html>"))
 
     def test_a_page_that_cannot_be_written_is_a_file_error_with_the_reason(self):
         self.make_result()
-        self.expect_refusal(5, "No such file", "result.h5", "-o", "missing/page.html")
+        self.expect_refusal(5, "there is no folder missing", "result.h5", "-o", "missing/page.html")
 
     def test_a_wrong_call_is_bad_input(self):
         self.make_result()

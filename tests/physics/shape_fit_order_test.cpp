@@ -112,6 +112,33 @@ TEST(FitOfCoils, of_a_spline_has_the_right_length_in_any_order_or_cannot_tell) {
   EXPECT_LE(refused, 2);
 }
 
+TEST(FitOfCoils, of_a_spline_through_many_turns_of_few_points_has_the_right_length) {
+  for (const Coil& coil :
+       {Coil{0.1, 20, 1, 0, 5, Listing::forward}, Coil{0.1, 20, -1, 0.2, 12, Listing::backward},
+        Coil{0.1, 80, 1, 0.03, 6, Listing::forward}}) {
+    const ShapeFit fit = fitted(coil.points(7), ShapeModel::spline);
+    // half a turn too many of 80 would be 0.006
+    EXPECT_NEAR(fit.length / coil.length(), 1, coil.noise > 0 ? 2e-3 : 1e-4) << coil.name();
+    const double per_radian = coil.turn_distance / (2 * pi);
+    EXPECT_NEAR(fit.numbers[torsion].value, coil.hand * per_radian / (1 + per_radian * per_radian),
+                1e-3)
+        << coil.name();
+    EXPECT_TRUE(fit.misfit.empty()) << coil.name() << ": " << fit.misfit;
+  }
+}
+
+TEST(FitOfCoils, of_a_spline_through_exact_points_names_no_outliers) {
+  Points cone(3, 161);
+  for (Index i = 0; i < 161; ++i) {
+    const double share = static_cast<double>(i) / 160, angle = 20 * pi * share;
+    const double r = 1 + 0.5 * share;
+    cone.col(i) << r * std::cos(angle), r * std::sin(angle), share;
+  }
+  const ShapeFit fit = fitted(measured(cone, false), ShapeModel::spline);
+  EXPECT_TRUE(fit.outliers.empty());
+  EXPECT_TRUE(fit.misfit.empty()) << fit.misfit;
+}
+
 TEST(FitOfLoops, knows_a_closed_loop_in_no_order) {
   Random random(4);
   Points loop(3, 120);

@@ -13,8 +13,9 @@ namespace wirepack {
 
 /// A value that replaces or adds to those of a configuration file.
 struct ConfigOverride {
-  std::string assignment;  ///< "section.key=value", the value in TOML or a bare string
-  std::string origin;      ///< how messages name it, such as "--set cavity.radius=5"
+  std::string assignment;             ///< "section.key=value", the value in TOML or a bare string
+  std::string origin;                 ///< how messages name it, such as "--set cavity.radius=5"
+  std::filesystem::path folder = {};  ///< names of files are relative to; empty: the current one
 };
 
 /// The scenario of a TOML configuration. Keys that are not given take the values of
@@ -22,7 +23,7 @@ struct ConfigOverride {
 /// may be given as stiffnesses, a persistence length or a wound coil (data/docs/stiffness.md);
 /// insertion.increment follows a given wire.edge_length; any given stop limit replaces the default
 /// one. wire.precurvature = k is the rest shape (0, k, 0). wire.reference_shape takes its place: the name
-/// of a shape file (shape_file.hpp), relative to the folder of `source`, or to the current one in an
+/// of a shape file (shape_file.hpp), relative to the folder of `source`, or to that of an
 /// override; or its rows.
 ///
 /// Throws InvalidInput with one line per problem, "file:line:column: section.key = value: what is

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@
 
 namespace wirepack {
 
-/// Reads a result file. It stays on the file it has opened, also when a run replaces that by a
+/// Reads a result file. What is read is what was written: it has checksums since format version 3, and
+/// its values are looked at. Nothing but the file itself is opened. It stays on the file it has opened, also when a run replaces that by a
 /// newer one. Everything throws FileError with the path and what is wrong: missing, not HDF5,
 /// not of wirepack, of another format version, damaged.
 class Hdf5Reader {
@@ -28,8 +30,15 @@ class Hdf5Reader {
   /// One of them. Of the contacts it has edges and force; the rod has no clamp frames and no twist
   /// guide.
   PackingFrame frame(std::int64_t increment) const;
-  /// Where the run was at the last flush, for its continuation.
+  bool has_column(const std::string& name) const;
+  /// Where the run was at the last flush, for its continuation; where that is damaged, and there is one,
+  /// progress_before().
   PackingProgress progress() const;
+  /// Where the run was at the flush before; of a finished run, before its last increment. Nothing: there
+  /// is none, or it is damaged.
+  std::optional<PackingProgress> progress_before() const;
+  /// What is wrong with where the run was at the last flush. Empty: nothing.
+  std::string damage() const;
 
   std::string config() const;  ///< resolved TOML text
   Scenario scenario() const;   ///< what config() says
@@ -45,6 +54,7 @@ class Hdf5Reader {
 
  private:
   struct Opened;
+  PackingProgress checkpoint(const std::string& group) const;
   std::unique_ptr<Opened> opened_;
 };
 

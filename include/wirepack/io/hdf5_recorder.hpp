@@ -22,11 +22,12 @@ class Hdf5Recorder {
   /// Begins a new result; a file of that name is replaced by the first flush().
   Hdf5Recorder(const std::filesystem::path& file, const Scenario& scenario,
                std::string command_line);
-  /// Goes on with the result in `file`, which must be one of wirepack (see Hdf5Reader). Limits and
-  /// output of the scenario may have changed; `command_line` is added as one more line to those
-  /// kept. Throws FileError.
+  /// Goes on with the result in `file`, which must be one of wirepack (see Hdf5Reader), from one of the
+  /// progresses that it holds: what lies behind that is dropped. Limits and output of the scenario may
+  /// have changed; `command_line` is added as one more line to those kept. The first flush() makes the
+  /// file anew, of what wirepack knows in it. Throws FileError.
   static Hdf5Recorder continuing(const std::filesystem::path& file, const Scenario& scenario,
-                                 const std::string& command_line);
+                                 const std::string& command_line, const PackingProgress& from);
 
   void add(const HistoryRow& row) { rows_.push_back(row); }
   /// A frame is kept under the number of its increment; a second one of the same increment
@@ -38,7 +39,8 @@ class Hdf5Recorder {
   void note(const std::string& name, std::string text) { notes_[name] = std::move(text); }
 
   /// Brings what was added and the progress to the disk, with the reason of the stop if the run is
-  /// over. `progress` must be that after the last row added. Throws FileError with path and reason;
+  /// over. `progress` must be that after the last row added; that of the flush before is kept beside it,
+  /// for the case that it gets damaged, or that the run is to go on beyond its end. Throws FileError with path and reason;
   /// then the old file is intact and what was added is kept for the next flush.
   void flush(const PackingProgress& progress, std::optional<StopReason> stop = std::nullopt);
 
@@ -47,6 +49,10 @@ class Hdf5Recorder {
   Scenario scenario_;
   std::string command_line_;
   bool exists_ = false;  // our file is in place, and the next flush adds to it
+  std::optional<double>
+      kept_up_to_;  // the next flush makes it anew, with frames up to this increment
+  std::vector<HistoryColumn> columns_;
+  std::optional<PackingProgress> last_, before_;
   std::vector<HistoryRow> rows_;
   std::vector<PackingFrame> frames_;
   std::map<std::string, std::string> notes_;

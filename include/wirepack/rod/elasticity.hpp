@@ -10,8 +10,8 @@ struct Elasticity {
 };
 
 /// The solid round wire of this radius that has these stiffnesses: Y = EI / (pi a^4 / 4),
-/// nu = EI / GJ - 1, and EA over Y pi a^2. A Poisson ratio that is not between -1 and 0.5 belongs to a
-/// wire that no solid one stands for.
+/// nu = EI / GJ - 1, and EA over Y pi a^2. A Poisson ratio above 0.5 stands for a wire that twists more
+/// easily than any solid one.
 Elasticity elasticity_of(const Stiffness& stiffness, double radius);
 
 /// A close-wound helical spring of round stock: turns that touch, without a force between them.

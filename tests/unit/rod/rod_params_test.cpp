@@ -34,13 +34,13 @@ TEST(RodParams, MessagesNameKeyValueAndWhatIsAllowed) {
   params.youngs_modulus = 0;
   EXPECT_EQ(problems(params), Messages{"wire.youngs_modulus = 0: must be positive and finite"});
   params = {};
-  params.poisson_ratio = 0.6;
+  params.poisson_ratio = 1.5e6;
   EXPECT_EQ(problems(params),
-            Messages{"wire.poisson_ratio = 0.6: must be above -1 and at most 0.5"});
+            Messages{"wire.poisson_ratio = 1.5e+06: must be above -1 and at most 1e6"});
   params = {};
   params.poisson_ratio = -1;
   EXPECT_EQ(problems(params),
-            Messages{"wire.poisson_ratio = -1: must be above -1 and at most 0.5"});
+            Messages{"wire.poisson_ratio = -1: must be above -1 and at most 1e6"});
   params = {};
   params.stretch_multiplier = std::numeric_limits<double>::infinity();
   EXPECT_EQ(problems(params),
