@@ -24,6 +24,7 @@ struct Options {
   std::string folder;
   std::optional<double> density;
   std::optional<std::int64_t> frame;
+  double threshold = 10;
   bool force = false;
 };
 
@@ -49,25 +50,31 @@ std::string label_of(const std::filesystem::path& result) {
 }
 
 int draw(const Options& options) {
-  const std::vector<std::string> names{"packing", "section", "force", "energy"};
+  std::vector<std::string> names{"packing", "section",           "force",  "energy",
+                                 "torsion", "bend_distribution", "phi_max"};
   output_folder(options.folder, figure_files(names),
                 {{options.results.begin(), options.results.end()}, options.force});
   std::vector<FigureRun> runs;
-  PackingFrame last;
   for (const std::string& result : results_named(options.results)) {
     const Hdf5Reader reader(result);
-    runs.push_back({label_of(result), reader.scenario(), reader.history()});
-    const std::vector<std::int64_t> frames = reader.frame_increments();
-    if (runs.back().history.empty() || frames.empty()) {
+    runs.push_back({label_of(result), reader.scenario(), reader.history(), {}});
+    if (runs.back().history.empty() || reader.frame_increments().empty()) {
       throw FileError(result + ": holds no frame yet");
     }
-    if (runs.size() == 1) last = chosen_frame(reader, result, options);
+    runs.back().frame = chosen_frame(reader, result, options);
   }
   const std::filesystem::path folder = options.folder;
-  draw_packing(folder, runs.front().scenario, last);
-  draw_section(folder, runs.front().scenario, last);
+  draw_packing(folder, runs.front().scenario, runs.front().frame);
+  draw_section(folder, runs.front().scenario, runs.front().frame);
   draw_force(folder, runs);
   draw_energy(folder, runs);
+  draw_torsion(folder, runs);
+  draw_bend_distribution(folder, runs);
+  if (!draw_phi_max(folder, runs, options.threshold)) {
+    names.pop_back();
+    print_lines(fmt::format("no phi_max: no run reaches F R^2 / YI = {} (--threshold)\n",
+                            options.threshold));
+  }
   for (const std::string& name : names) print_lines((folder / (name + ".png")).string() + "\n");
   return exit_done;
 }
@@ -76,7 +83,8 @@ int draw(const Options& options) {
 
 Command figures_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "figures", "Figures of runs: packing and section of the first, force and energy of all");
+      "figures",
+      "Figures of runs: packing and section of the first, curves and distributions of all");
   const auto options = std::make_shared<Options>();
   app->add_option("RESULT.h5", options->results, "Results of wirepack run, or folders of sweeps")
       ->required();
@@ -88,8 +96,13 @@ Command figures_command(CLI::App& program) {
                              ->check(CLI::Range(0.0, 1.0));
   app->add_option("--frame", options->frame, "Shows the frame of this increment")
       ->excludes(density);
+  app->add_option("--threshold", options->threshold, "F R^2 / YI at which phi_max is read")
+      ->check(CLI::Range(1e-3, 1e6))
+      ->capture_default_str();
   app->add_flag("--force", options->force, "Replaces figures that are there");
-  app->footer("Example: wirepack figures quickstart.h5 -o figures");
+  app->footer(
+      "Examples:\n  wirepack figures quickstart.h5 -o figures\n"
+      "  wirepack figures radii-and-seeds/ -o figures --threshold 15");
   return {app, [options] { return draw(*options); }};
 }
 

@@ -75,18 +75,6 @@ constexpr std::array<Quantity, 31> quantities{{
 
 }  // namespace
 
-Sample sample(const std::vector<double>& values) {
-  Sample result{nothing, nothing, values.size()};
-  const auto n = static_cast<double>(values.size());
-  if (values.empty()) return result;
-  double sum = 0, square = 0;
-  for (const double value : values) sum += value;
-  result.mean = sum / n;
-  for (const double value : values) square += (value - result.mean) * (value - result.mean);
-  if (values.size() > 1) result.deviation = std::sqrt(square / (n - 1));
-  return result;
-}
-
 ObservedFrame observe_frame(const std::string& run, const Scenario& scenario, const HistoryRow& row,
                             PackingFrame frame) {
   ObservedFrame o;

@@ -10,6 +10,7 @@
 #include "wirepack/observe/knot.hpp"
 #include "wirepack/observe/log_normal.hpp"
 #include "wirepack/observe/radial_density.hpp"
+#include "wirepack/observe/sample.hpp"
 #include "wirepack/observe/shell_order.hpp"
 #include "wirepack/observe/strand_spacing.hpp"
 #include "wirepack/packing/history.hpp"
@@ -17,14 +18,6 @@
 #include "wirepack/packing/scenario.hpp"
 
 namespace wirepack {
-
-/// Mean and standard deviation of a sample.
-struct Sample {
-  double mean = 0, deviation = 0;
-  std::size_t count = 0;
-};
-/// Not-a-numbers where there are too few values.
-Sample sample(const std::vector<double>& values);
 
 /// One frame of one run with all that is computed from it.
 struct ObservedFrame {

@@ -1,108 +1,19 @@
 #include "wirepack/io/figure.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include "wirepack/core/error.hpp"
 #include "wirepack/core/plain_text.hpp"
-#include "wirepack/io/output_path.hpp"
 #include "wirepack/observe/spool_model.hpp"
 
-#include "atomic_file.hpp"
+#include "gnuplot.hpp"
 #include "node_values.hpp"
 #include "tube.hpp"
 
 namespace wirepack {
 
 namespace {
-
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  replace_file(path, std::vector<char>(text.begin(), text.end()));
-}
-
-/// A folder beside the figures for gnuplot to draw in, so that no figure is ever half a one.
-class DrawingFolder {
- public:
-  explicit DrawingFolder(const std::filesystem::path& beside) {
-    std::string name = (beside / ".figure.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw FileError(beside.string() + ": cannot be written: " + std::strerror(errno));
-    }
-    path_ = name;
-  }
-  ~DrawingFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  DrawingFolder(const DrawingFolder&) = delete;
-  DrawingFolder& operator=(const DrawingFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-// Runs gnuplot on NAME.gp inside the folder, without a shell. The script is kept at `script`.
-void run_gnuplot(const std::filesystem::path& folder, const std::string& name,
-                 const std::filesystem::path& script) {
-  std::array<std::string, 2> words{"gnuplot", name + ".gp"};
-  std::array<char*, 3> arguments{words[0].data(), words[1].data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) {
-    throw FileError("gnuplot cannot be started: install it, or draw " + script.string() +
-                    " elsewhere");
-  }
-  int status = 0;
-  if (waitpid(child, &status, 0) != child || status != 0) {
-    throw FileError("gnuplot failed on " + script.string());
-  }
-}
-
-// A title that gnuplot shows to the letter.
-std::string title(const std::string& text) {
-  std::string quoted;
-  for (const char c : plain_text(text)) quoted += c == '\'' ? "\'\'" : std::string(1, c);
-  return "title '" + quoted + "' noenhanced";
-}
-
-void draw(const std::filesystem::path& folder, const std::string& name, const std::string& data,
-          const std::string& commands, const std::string& size, const std::string& pixels) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
-  std::string script = fmt::format("# draws {0}.png, {0}.pdf and {0}.svg from {0}.dat\n", name);
-  const auto add = [&](const std::string& terminal, const std::string& extension) {
-    script += fmt::format("set terminal {}\nset output '{}.{}'\n", terminal, name, extension);
-    script += commands + "unset output\n";
-  };
-  add("pngcairo size " + pixels + " font 'sans,20' linewidth 2", "png");
-  add("pdfcairo size " + size + " font 'sans,12'", "pdf");
-  add("svg size 800,800 font 'sans,16'", "svg");
-  const DrawingFolder drawing(folder);
-  write_file(drawing.path() / (name + ".dat"), data);
-  write_file(drawing.path() / (name + ".gp"), script);
-  const auto keep = [&](const std::string& file) {
-    const std::filesystem::path target = output_file(folder / file, {.inputs = {}, .force = true});
-    replace_file(target, read_bytes(drawing.path() / file));
-  };
-  // data and script first: without gnuplot they are what is left
-  for (const char* ending : {".dat", ".gp"}) keep(name + ending);
-  run_gnuplot(drawing.path(), name, folder / (name + ".gp"));
-  for (const char* ending : {".png", ".pdf", ".svg"}) keep(name + ending);
-}
 
 // Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline, and one of no
 // radius to close each end.
@@ -128,71 +39,6 @@ std::string tube(const SmoothLine& line, double radius) {
   add_end(n - 1);
   return text;
 }
-
-SpoolModel spool_of(const Scenario& scenario) {
-  return {scenario.cavity, scenario.wire.radius, stiffness(scenario.wire).bend,
-          SpoolModel::seen_spacing * scenario.wire.radius};
-}
-
-// Blocks for gnuplot's `index`: one to each run, then the model of each run.
-std::string curves(const std::vector<FigureRun>& runs) {
-  std::string text;
-  for (const FigureRun& run : runs) {
-    const double unit = units_of(run.scenario).scaled_energy();
-    text += fmt::format("# {}\n# packing_density F*R^2/YI E_bend*R/YI E_twist*R/YI\n",
-                        plain_text(run.label));
-    for (const HistoryRow& row : run.history) {
-      text += fmt::format("{} {} {} {}\n", row.packing_density, row.scaled_force,
-                          row.energy_bend / unit, row.energy_twist / unit);
-    }
-    text += "\n\n";
-  }
-  for (const FigureRun& run : runs) {
-    const SpoolModel spool = spool_of(run.scenario);
-    const Units units = units_of(run.scenario);
-    const double last = run.history.empty() ? 0 : run.history.back().packing_density;
-    text += fmt::format("# inverse spool beside {}\n# packing_density F*R^2/YI E_bend*R/YI\n",
-                        run.label);
-    for (int k = 0; k <= 100; ++k) {
-      const double phi = std::min(last, 0.99 * spool.largest_density()) * k / 100;
-      text += fmt::format("{} {} {}\n", phi, spool.injection_force(phi) / units.scaled_force(),
-                          spool.bend_energy(phi) / units.scaled_energy());
-    }
-    text += "\n\n";
-  }
-  return text;
-}
-
-// One plot command: every run in column `column`, then the model of each.
-std::string plot(const std::vector<FigureRun>& runs, const std::string& name, int column,
-                 const std::string& quantity) {
-  std::string text;
-  const auto line = [&](std::size_t index, std::size_t colour, int dash, const std::string& what) {
-    text +=
-        fmt::format("{} '{}.dat' index {} using 1:{} with lines lw 1.5 dashtype {} lc {} {}",
-                    text.empty() ? "plot" : ",", name, index, column, dash, colour, title(what));
-  };
-  for (std::size_t k = 0; k < runs.size(); ++k) line(k, k + 1, 1, quantity + runs[k].label);
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    line(runs.size() + k, k + 1, 2, "inverse spool (d = 2.81 a) for " + runs[k].label);
-  }
-  return text;
-}
-
-// From 0 to a little above the largest value of the runs; the model may leave the picture.
-template <class Value>
-std::string height(const std::vector<FigureRun>& runs, Value&& value) {
-  double top = 1e-3;
-  for (const FigureRun& run : runs) {
-    for (const HistoryRow& row : run.history) top = std::max(top, value(run.scenario, row));
-  }
-  return fmt::format("set yrange [0:{:.3g}]\n", 1.35 * top);
-}
-
-constexpr const char* curve_style =
-    "set xlabel 'packing density {/Symbol f}'\nset key below Left reverse maxcols 1\nset grid lc "
-    "rgb "
-    "'#dddddd'\nset border 3\nset tics nomirror\n";
 
 }  // namespace
 
@@ -261,8 +107,9 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
       colours + "set pm3d depthorder lighting primary 0.45 specular 0.25\n" +
       cavity_outline(radius) +
       "splot 'packing.dat' using 1:2:3:4 with pm3d, $cavity with lines lw 0.7 lc rgb '#999999'\n";
-  draw(folder, "packing", tube(smooth_line(frame.rod.nodes, colour, parts), scenario.wire.radius),
-       commands, "12cm,12cm", "1200,1200");
+  draw_with_gnuplot(folder, "packing",
+                    tube(smooth_line(frame.rod.nodes, colour, parts), scenario.wire.radius),
+                    commands, "12cm,12cm", "1200,1200");
 }
 
 void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
@@ -279,39 +126,9 @@ void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
       "plot 'section.dat' using 1:2:3:4:5:6 with ellipses units xx fs solid 1 border lc rgb "
       "'#444444' "
       "fc palette\n";
-  draw(folder, "section", section_ellipses(frame.rod.nodes, colour, scenario.wire.radius), commands,
-       "12cm,12cm", "1200,1200");
-}
-
-void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
-  // The peak before the first contact is many times what follows: a log axis shows both.
-  double top = 1;
-  for (const FigureRun& run : runs) {
-    for (const HistoryRow& row : run.history) top = std::max(top, row.scaled_force);
-  }
-  draw(folder, "force", curves(runs),
-       curve_style +
-           fmt::format("set ylabel 'injection force F R^2 / YI'\nset logscale y\n"
-                       "set yrange [0.1:{:.3g}]\n",
-                       1.5 * top) +
-           plot(runs, "force", 2, "") + "\n",
-       "14cm,12cm", "1200,1030");
-}
-
-void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
-  std::string twist;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    twist += fmt::format(", 'energy.dat' index {} using 1:4 with lines lw 1.5 dashtype 3 lc {} {}",
-                         k, k + 1, title("twist, " + runs[k].label));
-  }
-  draw(folder, "energy", curves(runs),
-       curve_style + std::string("set ylabel 'energy E R / YI'\n") +
-           height(runs,
-                  [](const Scenario& scenario, const HistoryRow& row) {
-                    return row.energy_bend / units_of(scenario).scaled_energy();
-                  }) +
-           plot(runs, "energy", 3, "bending, ") + twist + "\n",
-       "14cm,12cm", "1200,1030");
+  draw_with_gnuplot(folder, "section",
+                    section_ellipses(frame.rod.nodes, colour, scenario.wire.radius), commands,
+                    "12cm,12cm", "1200,1200");
 }
 
 void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
@@ -348,7 +165,7 @@ void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
       "{2} with lines dashtype 2 lc rgb '#b5342c' title 'root mean square'\n"
       "unset multiplot\nreset\n",
       step, every, fit.residual_rms);
-  draw(folder, "fit", data, commands, "14cm,17cm", "1200,1450");
+  draw_with_gnuplot(folder, "fit", data, commands, "14cm,17cm", "1200,1450");
 }
 
 void draw_curves(const std::filesystem::path& folder, const std::string& name,
@@ -370,7 +187,7 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
     const std::string colour = curve.colour == 0 ? "rgb 'black'" : fmt::format("{}", curve.colour);
     commands +=
         fmt::format("{} '{}.dat' index {} with {} lc {} {}", commands.empty() ? "plot" : ",", name,
-                    k, style, colour, curve.label.empty() ? "notitle" : title(curve.label));
+                    k, style, colour, curve.label.empty() ? "notitle" : gnuplot_title(curve.label));
   }
   // The range leaves out the highest peaks of the force.
   std::sort(values.begin(), values.end());
@@ -383,10 +200,10 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
     const double top = at(0.99), bottom = std::min(0.0, at(0.01));
     range = fmt::format("set yrange [{:.4g}:{:.4g}]\n", 1.1 * bottom, std::max(1e-3, 1.35 * top));
   }
-  draw(folder, name, data,
-       curve_style + std::string("set ylabel '") + quantity + "' noenhanced\n" + range + commands +
-           "\n",
-       "14cm,10cm", "1200,860");
+  draw_with_gnuplot(folder, name, data,
+                    std::string(curve_style) + "set ylabel '" + quantity + "' noenhanced\n" +
+                        range + commands + "\n",
+                    "14cm,10cm", "1200,860");
 }
 
 }  // namespace wirepack

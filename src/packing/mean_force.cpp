@@ -38,4 +38,22 @@ std::optional<double> mean_force(double edge_length, std::span<const ForceReadin
   return sum / edge_length;
 }
 
+std::vector<MeanForce> mean_forces(double edge_length, const std::vector<HistoryRow>& history) {
+  std::vector<MeanForce> means;
+  std::vector<ForceReading> recent;
+  for (const HistoryRow& row : history) {
+    note_force(edge_length, row, recent);
+    const std::optional<double> mean = mean_force(edge_length, recent);
+    if (mean) means.push_back({row.packing_density, *mean});
+  }
+  return means;
+}
+
+std::optional<double> density_at_force(const std::vector<MeanForce>& means, double force) {
+  const auto reached = std::find_if(means.begin(), means.end(),
+                                    [&](const MeanForce& mean) { return mean.force >= force; });
+  if (reached == means.end()) return std::nullopt;
+  return reached->packing_density;
+}
+
 }  // namespace wirepack

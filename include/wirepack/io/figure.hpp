@@ -17,7 +17,8 @@ namespace wirepack {
 struct FigureRun {
   std::string label;
   Scenario scenario;
-  std::vector<HistoryRow> history;
+  std::vector<HistoryRow> history;  ///< a row at least
+  PackingFrame frame;               ///< the one that is shown
 };
 
 /// A figure on disk: the plain data and the gnuplot script that draws it to NAME.png, NAME.pdf and
@@ -37,11 +38,26 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
 void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame);
 
-/// force: F R^2 / YI against the packing density, with the inverse-spool model; log axis.
+/// force: F R^2 / YI against the packing density, with the inverse-spool model; log axis. Here and below
+/// runs that differ in their seeds alone are one curve: their mean, in a band of its standard error.
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// energy: E_bend R / YI and E_twist R / YI against the packing density, with the same model.
 void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+
+/// torsion: E_twist R / YI against the packing density; log axis.
+void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+
+/// phi_max: the packing density at which F R^2 / YI, as a mean over an edge length, first reaches
+/// `threshold` after the first coil, against a / R; log axes. With power laws fitted to the runs of either setup, and published
+/// numbers (data/published). Draws nothing and returns false where no run reaches it.
+bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
+                  double threshold);
+
+/// bend_distribution: how the bending energies of the shown frames' joints over their mean are spread,
+/// with the log-normal law of greatest likelihood, and the published one.
+void draw_bend_distribution(const std::filesystem::path& folder,
+                            const std::vector<FigureRun>& runs);
 
 enum class Stroke { thin_line, dashed_line, marks };
 /// One curve of a figure against the packing density; no label: not in the key. Colour 0 is black.

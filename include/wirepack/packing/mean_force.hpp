@@ -22,4 +22,15 @@ void note_force(double edge_length, const HistoryRow& row, std::vector<ForceRead
 /// mean: the reading itself. Nothing before so much has been fed.
 std::optional<double> mean_force(double edge_length, std::span<const ForceReading> recent);
 
+/// That mean at a packing density.
+struct MeanForce {
+  double packing_density, force;
+};
+
+/// The means at all rows that have one.
+std::vector<MeanForce> mean_forces(double edge_length, const std::vector<HistoryRow>& history);
+
+/// Density at which the mean force first reaches `force`; nothing where it stays below.
+std::optional<double> density_at_force(const std::vector<MeanForce>& means, double force);
+
 }  // namespace wirepack

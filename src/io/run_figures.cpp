@@ -1,0 +1,315 @@
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+#include "wirepack/core/plain_text.hpp"
+#include "wirepack/io/figure.hpp"
+#include "wirepack/observe/log_normal.hpp"
+#include "wirepack/observe/power_law.hpp"
+#include "wirepack/observe/spool_model.hpp"
+#include "wirepack/packing/mean_force.hpp"
+
+#include "gnuplot.hpp"
+#include "published.hpp"
+#include "run_groups.hpp"
+
+namespace wirepack {
+
+namespace {
+
+constexpr const char* curve_size = "14cm,12cm";
+constexpr const char* curve_pixels = "1200,1030";
+
+// Columns of the curves of a group, each followed by its standard error.
+enum Column { force_column = 2, bend_column = 4, twist_column = 6 };
+
+SpoolModel spool_of(const Scenario& scenario) {
+  return {scenario.cavity, scenario.wire.radius, stiffness(scenario.wire).bend,
+          SpoolModel::seen_spacing * scenario.wire.radius};
+}
+
+// The model, to the last density of the group, in the same columns.
+std::string spool_curve(const RunGroup& group) {
+  const Scenario& scenario = group.runs.front()->scenario;
+  const SpoolModel spool = spool_of(scenario);
+  const Units units = units_of(scenario);
+  const double last = group.points.empty() ? 0 : group.points.back().packing_density;
+  std::string text = fmt::format("# inverse spool beside {}\n", plain_text(group.label));
+  for (int k = 0; k <= 100; ++k) {
+    const double phi = std::min(last, 0.99 * spool.largest_density()) * k / 100;
+    text += fmt::format("{} {} 0 {} 0\n", phi, spool.injection_force(phi) / units.scaled_force(),
+                        spool.bend_energy(phi) / units.scaled_energy());
+  }
+  return text + "\n\n";
+}
+
+// Blocks for gnuplot's `index`: one to each group, then the model of each.
+std::string curves(const std::vector<RunGroup>& groups) {
+  std::string text;
+  for (const RunGroup& group : groups) {
+    text += fmt::format(
+        "# {}\n# packing_density F*R^2/YI its_error E_bend*R/YI its_error E_twist*R/YI its_error\n",
+        plain_text(group.label));
+    const auto value = [](const Sample& s) {
+      return fmt::format("{} {}", s.mean, s.count > 1 ? s.standard_error() : 0);
+    };
+    for (const CurvePoint& p : group.points) {
+      text += fmt::format("{} {} {} {}\n", p.packing_density, value(p.force), value(p.bend),
+                          value(p.twist));
+    }
+    text += group.points.empty() ? "NaN NaN 0 NaN 0 NaN 0\n\n\n" : "\n\n";
+  }
+  for (const RunGroup& group : groups) text += spool_curve(group);
+  return text;
+}
+
+// Plots every group's column, with its band of errors. `name_of` gives the title of a group, or nothing.
+template <class NameOf>
+std::string plot_groups(const std::vector<RunGroup>& groups, const std::string& figure, int column,
+                        int dash, const NameOf& name_of) {
+  std::string text;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const std::string data = fmt::format("'{}.dat' index {}", figure, k);
+    if (groups[k].runs.size() > 1) {
+      text += fmt::format(
+          "{0} using 1:(${1}-${2}):(${1}+${2}) with filledcurves lc {3} fs transparent solid 0.25 "
+          "noborder notitle, ",
+          data, column, column + 1, k + 1);
+    }
+    const std::string name = name_of(k);
+    text += fmt::format("{} using 1:{} with lines lw 1.5 dashtype {} lc {} {}, ", data, column,
+                        dash, k + 1, name.empty() ? "notitle" : gnuplot_title(name));
+  }
+  return text;
+}
+
+std::string plot_curves(const std::vector<RunGroup>& groups, const std::string& figure,
+                        int column) {
+  return plot_groups(groups, figure, column, 1, [&](std::size_t k) { return groups[k].label; });
+}
+
+constexpr const char* spool_name = "dashed: inverse spool, d = 2.81 a";
+
+double largest(const std::vector<RunGroup>& groups, Sample CurvePoint::*quantity) {
+  double top = 0;
+  for (const RunGroup& group : groups) {
+    for (const CurvePoint& point : group.points) top = std::max(top, (point.*quantity).mean);
+  }
+  return top;
+}
+
+std::string name_in_key(Setup setup) {
+  return setup == Setup::high_torsion ? "high torsion" : "low torsion";
+}
+
+// The wire that comes to the wall straight buckles at a force that says nothing of the packing.
+std::vector<HistoryRow> after_the_first_coil(const FigureRun& run) {
+  const double length = first_coil_length(run.scenario.cavity);
+  const auto from =
+      std::find_if(run.history.begin(), run.history.end(),
+                   [&](const HistoryRow& row) { return row.inserted_length > length; });
+  return {from, run.history.end()};
+}
+
+// Densities at a threshold by a / R.
+using Readings = std::map<double, std::vector<double>>;
+
+Readings readings_of(const std::vector<FigureRun>& runs, Setup setup, double threshold) {
+  Readings readings;
+  for (const FigureRun& run : runs) {
+    if (run.scenario.setup != setup) continue;
+    const double force = threshold * units_of(run.scenario).scaled_force();
+    const auto density = density_at_force(
+        mean_forces(run.scenario.wire.edge_length, after_the_first_coil(run)), force);
+    if (!density) continue;
+    readings[run.scenario.wire.radius / run.scenario.cavity.radius].push_back(*density);
+  }
+  return readings;
+}
+
+// The fitted law as one more curve; nothing where there are too few readings to fit one.
+std::string fitted_law(const Readings& readings, int colour, const std::string& setup) {
+  std::vector<double> x, y;
+  for (const auto& [ratio, densities] : readings) {
+    for (const double density : densities) {
+      x.push_back(ratio);
+      y.push_back(density);
+    }
+  }
+  if (x.size() < 3 || readings.size() < 2) return "";
+  const PowerLaw law = fit_power_law(x, y);
+  return fmt::format(", {} * x**{} with lines lw 1.5 lc {} {}", law.factor, law.exponent, colour,
+                     gnuplot_title(fmt::format("{}: exponent {:.2f} +- {:.2f}, {} runs", setup,
+                                               law.exponent, law.exponent_error, x.size())));
+}
+
+constexpr double bin = 0.25, lowest_log = -9, highest_log = 4;
+
+std::vector<double> log_energies_over_mean(const RunGroup& group) {
+  std::vector<double> logs;
+  for (const FigureRun* run : group.runs) {
+    const Eigen::VectorXd& energy = run->frame.bend_energy;
+    const double mean = energy.sum() / static_cast<double>((energy.array() > 0).count());
+    for (const double e : energy) {
+      if (e > 0) logs.push_back(std::log(e / mean));
+    }
+  }
+  return logs;
+}
+
+// Share of the joints per unit of ln x, x = E / <E>, in bins of it.
+std::string histogram(const std::vector<double>& logs) {
+  std::vector<int> counts(static_cast<std::size_t>((highest_log - lowest_log) / bin));
+  for (const double l : logs) {
+    const double at = std::floor((l - lowest_log) / bin);
+    if (at >= 0 && at < static_cast<double>(counts.size())) ++counts[static_cast<std::size_t>(at)];
+  }
+  std::string text;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    text += fmt::format("{} {}\n", std::exp(lowest_log + (static_cast<double>(k) + 0.5) * bin),
+                        counts[k] / (static_cast<double>(logs.size()) * bin));
+  }
+  return text + "\n\n";
+}
+
+}  // namespace
+
+void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+  const std::vector<RunGroup> groups = run_groups(runs);
+  // The peak before the first contact is many times what follows: a log axis shows both.
+  const double top = std::max(1.0, largest(groups, &CurvePoint::force));
+  // scaled, the model's force is the same for all radii: the curve that goes furthest is drawn
+  std::size_t furthest = 0;
+  const auto end = [&](std::size_t k) {
+    return groups[k].points.empty() ? 0 : groups[k].points.back().packing_density;
+  };
+  for (std::size_t k = 1; k < groups.size(); ++k) {
+    if (end(k) > end(furthest)) furthest = k;
+  }
+  draw_with_gnuplot(
+      folder, "force", curves(groups),
+      curve_style +
+          fmt::format("set ylabel 'injection force F R^2 / YI'\nset logscale y\n"
+                      "set yrange [0.1:{:.3g}]\nplot ",
+                      1.5 * top) +
+          plot_curves(groups, "force", force_column) +
+          fmt::format("'force.dat' index {} using 1:{} with lines lw 1.5 dashtype 2 lc rgb 'black' "
+                      "{}\n",
+                      groups.size() + furthest, int(force_column), gnuplot_title(spool_name)),
+      curve_size, curve_pixels);
+}
+
+void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+  const std::vector<RunGroup> groups = run_groups(runs);
+  const double top = std::max(1e-3, largest(groups, &CurvePoint::bend));
+  std::string spools;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    spools += fmt::format(
+        "'energy.dat' index {} using 1:{} with lines lw 1.5 dashtype 2 lc {} {}{}",
+        groups.size() + k, int(bend_column), k + 1, k == 0 ? gnuplot_title(spool_name) : "notitle",
+        k + 1 < groups.size() ? ", " : "\n");
+  }
+  draw_with_gnuplot(
+      folder, "energy", curves(groups),
+      curve_style +
+          fmt::format("set ylabel 'bending energy E R / YI'\nset yrange [0:{:.3g}]\nplot ",
+                      1.35 * top) +
+          plot_curves(groups, "energy", bend_column) +
+          plot_groups(groups, "energy", twist_column, 3,
+                      [](std::size_t k) { return k == 0 ? "dotted: torsional energy" : ""; }) +
+          spools,
+      curve_size, curve_pixels);
+}
+
+void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+  const std::vector<RunGroup> groups = run_groups(runs);
+  const double top = std::max(1e-3, largest(groups, &CurvePoint::twist));
+  draw_with_gnuplot(folder, "torsion", curves(groups),
+                    curve_style +
+                        fmt::format("set ylabel 'torsional energy E R / YI'\nset logscale y\n"
+                                    "set yrange [{:.3g}:{:.3g}]\nplot ",
+                                    1e-4 * top, 2 * top) +
+                        plot_curves(groups, "torsion", twist_column) + "NaN notitle\n",
+                    curve_size, curve_pixels);
+}
+
+bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
+                  double threshold) {
+  std::string data, points, laws;
+  int block = 0;
+  for (const Setup setup : {Setup::low_torsion, Setup::high_torsion}) {
+    const Readings readings = readings_of(runs, setup, threshold);
+    if (readings.empty()) continue;
+    data += fmt::format("# {}\n# a/R phi_max standard_error runs\n", name_in_key(setup));
+    for (const auto& [ratio, densities] : readings) {
+      const Sample s = sample(densities);
+      data += fmt::format("{} {} {} {}\n", ratio, s.mean, s.count > 1 ? s.standard_error() : 0,
+                          s.count);
+    }
+    data += "\n\n";
+    const int colour = setup == Setup::low_torsion ? 1 : 2;
+    points += fmt::format(
+        "'phi_max.dat' index {} using 1:2:3 with yerrorbars pt 7 ps 1 lw 1.5 lc {} title '{}', ",
+        block++, colour, name_in_key(setup));
+    laws += fitted_law(readings, colour, name_in_key(setup));
+  }
+  if (data.empty()) return false;
+  const std::string commands =
+      std::string(published_numbers) +
+      fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
+                  threshold) +
+      "set logscale xy\nset xrange [0.015:0.4]\nset yrange [0.1:1]\n"
+      "set xtics (0.02, 0.05, 0.1, 0.2)\nset ytics (0.1, 0.2, 0.3, 0.5, 0.7, 1)\n"
+      "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
+      "set key below Left reverse maxcols 1\n"
+      "set object 1 rectangle from graph 0, first coils_lowest to graph 1, first coils_highest "
+      "behind fs solid 0.5 noborder fc rgb '#e8e8e8'\n"
+      "set label 1 'endovascular coils, clinical' at graph 0.98, first 0.215 right tc rgb "
+      "'#777777'\n"
+      "plot " +
+      points +
+      "paper_phi_max(x) with lines dashtype 2 lc rgb 'black' title sprintf('Stoop et al. 2011, "
+      "high torsion: exponent %.2f', paper_exponent), "
+      "$phages using 1:2 with points pt 4 ps 1 lc rgb '#555555' title 'DNA in phages'" +
+      laws + "\n";
+  draw_with_gnuplot(folder, "phi_max", data, commands, curve_size, curve_pixels);
+  return true;
+}
+
+void draw_bend_distribution(const std::filesystem::path& folder,
+                            const std::vector<FigureRun>& runs) {
+  std::string data, plots;
+  std::size_t block = 0;
+  for (const RunGroup& group : run_groups(runs)) {
+    const std::vector<double> logs = log_energies_over_mean(group);
+    if (logs.size() < 2) continue;
+    std::vector<double> ratios;
+    for (const double l : logs) ratios.push_back(std::exp(l));
+    const LogNormalFit fit = fit_log_normal(ratios);
+    data += fmt::format("# {} at a density of {:.3g}\n# x=E/<E> share_per_unit_of_ln_x\n",
+                        plain_text(group.label), group.runs.front()->frame.packing_density);
+    data += histogram(logs);
+    plots += fmt::format(
+        "'bend_distribution.dat' index {} with histeps lw 1.5 lc {} {}, "
+        "exp(-((log(x) - {:.6g}) / {:.6g})**2 / 2) / (sqrt(2 * pi) * {:.6g}) with lines lw 1.5 lc "
+        "{} title 'log-normal: {{/Symbol m}} = {:.2f}, {{/Symbol s}} = {:.2f}', ",
+        block, block + 1, gnuplot_title(group.label), fit.mu, fit.sigma, fit.sigma, block + 1,
+        fit.mu, fit.sigma);
+    ++block;
+  }
+  const std::string commands =
+      std::string(published_numbers) +
+      "set xlabel 'bending energy of a joint over the mean, x'\n"
+      "set ylabel 'share of the joints per unit of ln x'\nset logscale x\n"
+      "set xrange [1e-4:30]\nset yrange [0:*]\nset format x '10^{%T}'\nset samples 400\n"
+      "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
+      "set key below Left reverse maxcols 1\nplot " +
+      plots +
+      "paper_bend_distribution(x) with lines dashtype 2 lc rgb 'black' title 'Stoop et al. 2011: "
+      "high torsion, a/R = 1/40'\n";
+  draw_with_gnuplot(folder, "bend_distribution", data, commands, curve_size, curve_pixels);
+}
+
+}  // namespace wirepack
