@@ -148,7 +148,8 @@ Hdf5Recorder::Hdf5Recorder(const std::filesystem::path& file, const Scenario& sc
     : file_(resolved(file)),
       scenario_(scenario),
       command_line_(std::move(command_line)),
-      columns_(columns_of(scenario)) {}
+      columns_(columns_of(scenario)),
+      identity_(std::make_shared<const char>()) {}
 
 Hdf5Recorder Hdf5Recorder::continuing(const std::filesystem::path& file, const Scenario& scenario,
                                       const std::string& command_line,
@@ -171,7 +172,7 @@ Hdf5Recorder Hdf5Recorder::continuing(const std::filesystem::path& file, const S
 }
 
 std::shared_ptr<const Hdf5Handle> Hdf5Recorder::opened() const {
-  const std::string name = file_.string();
+  const std::string name = fmt::format("wirepack-result-in-memory-{}", fmt::ptr(identity_.get()));
   if (!exists_) return std::make_shared<const Hdf5Handle>(create_image(name));
   std::vector<char> bytes = read_bytes(file_);
   return std::make_shared<const Hdf5Handle>(

@@ -60,6 +60,7 @@ class Hdf5Recorder {
       kept_up_to_;  // the next flush makes it anew, with frames up to this increment
   std::shared_ptr<const Hdf5Handle> image_;  // of the file, in memory; none: it has to be read
   std::vector<HistoryColumn> columns_;
+  std::shared_ptr<const char> identity_;  // its place is like no other recorder's
   std::optional<PackingProgress> last_, before_;
   std::vector<HistoryRow> rows_;
   std::vector<PackingFrame> frames_;
