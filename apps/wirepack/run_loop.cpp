@@ -28,6 +28,9 @@ constexpr double quasistatic_share = 0.02;
 
 constexpr std::size_t terminal_columns = 80;
 
+// Saving takes no larger share of a run's time, but for what signals and the end ask for.
+constexpr double most_saving = 0.02;
+
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
@@ -69,6 +72,32 @@ class ProgressLine {
   HistoryRow start_;
 };
 
+/// When to save: with every frame and every so many seconds, if it does not take too much time.
+class SavingTimes {
+ public:
+  explicit SavingTimes(double every_seconds) : every_seconds_(every_seconds) {}
+
+  template <class Save>
+  void time(Save&& save) {
+    const Clock::time_point start = Clock::now();
+    save();
+    seconds_ = seconds_since(start);
+    last_ = Clock::now();
+    frame_waits_ = false;
+  }
+  void frame_waits() { frame_waits_ = true; }
+  bool is_due() const {
+    const double passed = seconds_since(last_);
+    const bool wanted = frame_waits_ || passed >= every_seconds_;
+    return wanted && (every_seconds_ == 0 || seconds_ <= most_saving * passed);
+  }
+
+ private:
+  double every_seconds_, seconds_ = 0;
+  bool frame_waits_ = false;
+  Clock::time_point last_ = Clock::now();
+};
+
 }  // namespace
 
 std::string shown_time(double seconds) {
@@ -102,9 +131,9 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
   ProgressLine progress_line(scenario, packing.row());
   std::vector<std::string> found = warnings(scenario, expected_length(scenario));
   recorder.note("warnings", fmt::format("{}", fmt::join(found, "\n")));
+  SavingTimes saving(scenario.output.checkpoint_every_seconds);
   // Shows now, and not after hours, that the file cannot be written.
-  recorder.flush(packing.progress());
-  Clock::time_point last_flush = Clock::now();
+  saving.time([&] { recorder.flush(packing.progress()); });
   double last_frame = -1;
   const auto take_frame = [&] {
     last_frame = packing.progress().last.increment;
@@ -132,16 +161,13 @@ RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario
         }
         progress_line.show(row, seconds_since(start));
       }
-      bool flush_is_due = save_was_requested() ||
-                          seconds_since(last_flush) >= scenario.output.checkpoint_every_seconds;
       if (advanced && packing.frame_is_due()) {
         take_frame();
-        flush_is_due = true;
+        saving.frame_waits();
       }
       good = packing.progress();
-      if (flush_is_due && !result.stop) {
-        recorder.flush(good);
-        last_flush = Clock::now();
+      if ((save_was_requested() || saving.is_due()) && !result.stop) {
+        saving.time([&] { recorder.flush(good); });
       }
     }
   } catch (const NumericalFailure&) {

@@ -32,7 +32,8 @@ struct RunResult {
 
 /// Runs until a limit, a stop signal, or until the reader of the table has gone away: prints the table,
 /// if one is wanted, and progress to stderr (on a terminal), and brings everything to the file at the
-/// start, with every frame, every output.checkpoint_every_seconds, and at the end; before the last
+/// start, with every frame, every output.checkpoint_every_seconds (where saving would take more than 2 %
+/// of the time, and that is not 0, later), on a signal, and at the end; before the last
 /// increment, too, if a limit ends the run. Throws NumericalFailure, with all increments
 /// before it saved, and FileError.
 RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,

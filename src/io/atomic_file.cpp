@@ -49,7 +49,7 @@ void take_over_rights(const std::filesystem::path& from, int descriptor) {
 
 // Everything up to the rename; false with errno when a step fails.
 bool write_durably(const std::filesystem::path& file, const std::filesystem::path& target,
-                   const std::vector<char>& bytes) {
+                   std::span<const char> bytes) {
   FileDescriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (out.number() < 0) return false;
   take_over_rights(target, out.number());
@@ -77,7 +77,7 @@ std::vector<char> read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
-void replace_file(const std::filesystem::path& file, const std::vector<char>& bytes) {
+void replace_file(const std::filesystem::path& file, std::span<const char> bytes) {
   // Host and process keep runs that share a folder from mixing their bytes.
   const std::filesystem::path temporary =
       folder_of(file) / fmt::format("{}{}{}", beginning_on_this_host(), ::getpid(), ending);

@@ -6,11 +6,6 @@ namespace {
 
 constexpr std::size_t growth = std::size_t{1} << 20;
 
-// HDF5 wants names, but never looks them up: nothing of these names is made on the disk. Two open files
-// of one name would be the same to it.
-constexpr const char* new_in_memory = "wirepack-new-result-in-memory";
-constexpr const char* old_in_memory = "wirepack-old-result-in-memory";
-
 Hdf5Handle memory_access() {
   Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "preparing memory");
   hdf5_checked(H5Pset_fapl_core(access, growth, false), "preparing memory");
@@ -27,26 +22,27 @@ Hdf5Handle with_checksums(Hdf5Handle file) {
 
 }  // namespace
 
-Hdf5Handle create_image() {
+Hdf5Handle create_image(const std::string& name) {
   const Hdf5Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "creating the file");
   hdf5_checked(H5Pset_obj_track_times(properties, false), "creating the file");
-  return with_checksums({H5Fcreate(new_in_memory, H5F_ACC_TRUNC, properties, memory_access()),
+  return with_checksums({H5Fcreate(name.c_str(), H5F_ACC_TRUNC, properties, memory_access()),
                          H5Fclose, "creating the file"});
 }
 
-Hdf5Handle open_image(std::vector<char>& bytes) {
+Hdf5Handle open_image(std::vector<char>& bytes, const std::string& name) {
   const Hdf5Handle access = memory_access();
   hdf5_checked(H5Pset_file_image(access, bytes.data(), bytes.size()), "loading the file");
   return with_checksums(
-      {H5Fopen(old_in_memory, H5F_ACC_RDWR, access), H5Fclose, "opening the file"});
+      {H5Fopen(name.c_str(), H5F_ACC_RDWR, access), H5Fclose, "opening the file"});
 }
 
-std::vector<char> bytes_of_image(hid_t file) {
+std::span<const char> bytes_of_image(hid_t file) {
   hdf5_checked(H5Fflush(file, H5F_SCOPE_GLOBAL), "finishing the file");
   const ssize_t size = hdf5_checked(H5Fget_file_image(file, nullptr, 0), "finishing the file");
-  std::vector<char> bytes(static_cast<std::size_t>(size));
-  hdf5_checked(H5Fget_file_image(file, bytes.data(), bytes.size()), "finishing the file");
-  return bytes;
+  // A file in memory has a place in memory as its handle.
+  void* place = nullptr;
+  hdf5_checked(H5Fget_vfd_handle(file, H5P_DEFAULT, &place), "finishing the file");
+  return {*static_cast<char**>(place), static_cast<std::size_t>(size)};
 }
 
 }  // namespace wirepack

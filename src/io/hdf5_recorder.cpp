@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 #include "wirepack/core/version.hpp"
 #include "wirepack/io/config_file.hpp"
@@ -126,15 +127,16 @@ void write_setup(hid_t file, const Scenario& scenario) {
 }
 
 /// A new image with the frames of an old one up to an increment.
-Hdf5Handle image_with_frames(std::vector<char>& bytes, double last_increment) {
-  const Hdf5Handle old = open_image(bytes);
+Hdf5Handle image_with_frames(std::vector<char>& bytes, const std::string& name,
+                             double last_increment) {
+  const Hdf5Handle old = open_image(bytes, name + " before");
   check_safety(old);
-  Hdf5Handle image = create_image();
+  Hdf5Handle image = create_image(name);
   hdf5_checked(H5Ocopy(old, "frames", image, "frames", H5P_DEFAULT, H5P_DEFAULT),
                "taking over its frames");
   const Hdf5Handle frames = open_group(image, "frames");
-  for (const std::string& name : links_of(frames)) {
-    if (std::stod(name) > last_increment) remove_link(frames, name);
+  for (const std::string& increment : links_of(frames)) {
+    if (std::stod(increment) > last_increment) remove_link(frames, increment);
   }
   return image;
 }
@@ -146,7 +148,8 @@ Hdf5Recorder::Hdf5Recorder(const std::filesystem::path& file, const Scenario& sc
     : file_(resolved(file)),
       scenario_(scenario),
       command_line_(std::move(command_line)),
-      columns_(columns_of(scenario)) {}
+      columns_(columns_of(scenario)),
+      identity_(std::make_shared<const char>()) {}
 
 Hdf5Recorder Hdf5Recorder::continuing(const std::filesystem::path& file, const Scenario& scenario,
                                       const std::string& command_line,
@@ -168,6 +171,36 @@ Hdf5Recorder Hdf5Recorder::continuing(const std::filesystem::path& file, const S
   return recorder;
 }
 
+std::shared_ptr<const Hdf5Handle> Hdf5Recorder::opened() const {
+  const std::string name = fmt::format("wirepack-result-in-memory-{}", fmt::ptr(identity_.get()));
+  if (!exists_) return std::make_shared<const Hdf5Handle>(create_image(name));
+  std::vector<char> bytes = read_bytes(file_);
+  return std::make_shared<const Hdf5Handle>(
+      kept_up_to_ ? image_with_frames(bytes, name, *kept_up_to_) : open_image(bytes, name));
+}
+
+void Hdf5Recorder::write(const Hdf5Handle& image, const PackingProgress& progress,
+                         std::optional<StopReason> stop) const {
+  Facts facts(image);
+  write_provenance(facts, scenario_, command_line_);
+  for (const auto& [name, text] : notes_) facts.write(name, text);
+  facts.write("finished", static_cast<std::int64_t>(stop.has_value()));
+  facts.write("stop_reason", stop ? std::string(name_of(*stop)) : std::string());
+  facts.write("phi_max", progress.last.packing_density);
+  facts.seal();
+  write_setup(image, scenario_);
+  write_history(image, columns_, rows_);
+  const Hdf5Handle frames = open_or_create_group(image, "frames");
+  for (const PackingFrame& frame : frames_) write_frame(frames, frame);
+  write_checkpoint(image, checkpoint_group, progress);
+  if (before_) {
+    write_checkpoint(image, checkpoint_before_group, *before_);
+  } else if (has_link(image, checkpoint_before_group)) {
+    remove_link(image, checkpoint_before_group);
+  }
+  write_shown(image, progress, units_of(scenario_));
+}
+
 void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReason> stop) {
   const QuietHdf5 quiet;
   if (last_ && last_->last.increment < progress.last.increment) before_ = last_;
@@ -175,35 +208,18 @@ void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReas
   const bool lost = stop == StopReason::no_equilibrium || stop == StopReason::strands_passed;
   if (lost || (before_ && before_->last.increment >= progress.last.increment)) before_.reset();
   last_ = progress;
-  std::vector<char> bytes;
-  if (exists_) bytes = read_bytes(file_);
+  // What is in memory counts only if it gets to the disk.
+  std::shared_ptr<const Hdf5Handle> image = std::exchange(image_, nullptr);
+  std::span<const char> bytes;
   try {
-    const Hdf5Handle image = !exists_      ? create_image()
-                             : kept_up_to_ ? image_with_frames(bytes, *kept_up_to_)
-                                           : open_image(bytes);
-    Facts facts(image);
-    write_provenance(facts, scenario_, command_line_);
-    for (const auto& [name, text] : notes_) facts.write(name, text);
-    facts.write("finished", static_cast<std::int64_t>(stop.has_value()));
-    facts.write("stop_reason", stop ? std::string(name_of(*stop)) : std::string());
-    facts.write("phi_max", progress.last.packing_density);
-    facts.seal();
-    write_setup(image, scenario_);
-    write_history(image, columns_, rows_);
-    const Hdf5Handle frames = open_or_create_group(image, "frames");
-    for (const PackingFrame& frame : frames_) write_frame(frames, frame);
-    write_checkpoint(image, checkpoint_group, progress);
-    if (before_) {
-      write_checkpoint(image, checkpoint_before_group, *before_);
-    } else if (has_link(image, checkpoint_before_group)) {
-      remove_link(image, checkpoint_before_group);
-    }
-    write_shown(image, progress, units_of(scenario_));
-    bytes = bytes_of_image(image);
+    if (image == nullptr) image = opened();
+    write(*image, progress, stop);
+    bytes = bytes_of_image(*image);
   } catch (const FileError& error) {
     throw FileError(file_.string() + ": cannot be written: " + error.what());
   }
   replace_file(file_, bytes);
+  image_ = image;
   exists_ = true;
   kept_up_to_.reset();
   rows_.clear();

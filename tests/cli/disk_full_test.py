@@ -65,6 +65,43 @@ class DiskFull(ProgramTest):
         finally:
             subprocess.run(["umount", disk], check=False)
 
+    def test_a_disk_that_is_full_when_a_run_goes_on(self):
+        code, _, err = self.run_program("run", "run.toml", "-o", "out.h5", "--set", "stop.increments=30")
+        self.assertEqual(code, 0, err)
+        before = (self.folder / "out.h5").read_bytes()
+        code, _, err = self.run_program(
+            "run", "run.toml", "-o", "out.h5", "--resume", preexec_fn=limit_file_size(len(before) // 2)
+        )
+        self.assertEqual(code, 5, err)
+        self.assertIn("out.h5: cannot be written: File too large", err)
+        self.assertEqual((self.folder / "out.h5").read_bytes(), before)
+        code, _, err = self.run_program("run", "run.toml", "-o", "out.h5", "--resume")
+        self.assertEqual(code, 0, err)
+        self.assertEqual(differing(self.folder / "whole.h5", self.folder / "out.h5"), [])
+
+    def test_a_folder_that_vanishes(self):
+        (self.folder / "there").mkdir()
+        process = self.start("run", "run.toml", "-o", "there/out.h5")
+        for line in process.stdout:
+            if line.split()[0] == "10":
+                break
+        (self.folder / "there").rename(self.folder / "elsewhere")
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 5, err)
+        self.assertIn("there/out.h5: cannot be written: No such file or directory", err)
+        self.assertGreater(check_readable(self, self.folder / "elsewhere/out.h5"), 0)
+
+    def test_a_file_that_is_replaced_under_a_run_is_the_runs_again(self):
+        process = self.start("run", "run.toml", "-o", "out.h5")
+        for line in process.stdout:
+            if line.split()[0] == "10":
+                break
+        (self.folder / "other").write_text("something else")
+        (self.folder / "other").rename(self.folder / "out.h5")
+        _, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0, err)
+        self.assertEqual(differing(self.folder / "whole.h5", self.folder / "out.h5"), [])
+
     def test_a_table_that_cannot_be_written(self):
         with open("/dev/full", "w") as full:
             process = self.start("run", "run.toml", "-o", "out.h5")

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,10 @@
 
 namespace wirepack {
 
+class Hdf5Handle;
+
 /// Collects rows and frames of a run and keeps the result file: see data/docs/result_file.md. The
-/// file is never open between two calls, and is only ever replaced as a whole, so it can be read at
+/// file on the disk is never open between two calls, and is only ever replaced as a whole, so it can be read at
 /// any moment of the run, also after a kill -9 or on a full disk.
 class Hdf5Recorder {
  public:
@@ -45,13 +48,19 @@ class Hdf5Recorder {
   void flush(const PackingProgress& progress, std::optional<StopReason> stop = std::nullopt);
 
  private:
+  std::shared_ptr<const Hdf5Handle> opened() const;
+  void write(const Hdf5Handle& image, const PackingProgress& progress,
+             std::optional<StopReason> stop) const;
+
   std::filesystem::path file_;
   Scenario scenario_;
   std::string command_line_;
   bool exists_ = false;  // our file is in place, and the next flush adds to it
   std::optional<double>
       kept_up_to_;  // the next flush makes it anew, with frames up to this increment
+  std::shared_ptr<const Hdf5Handle> image_;  // of the file, in memory; none: it has to be read
   std::vector<HistoryColumn> columns_;
+  std::shared_ptr<const char> identity_;  // its place is like no other recorder's
   std::optional<PackingProgress> last_, before_;
   std::vector<HistoryRow> rows_;
   std::vector<PackingFrame> frames_;
