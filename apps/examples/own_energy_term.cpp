@@ -44,7 +44,7 @@ int main() {
   const BallEnergy ball{scenario.wire, 5, scenario.wall_stiffness};
   QuasistaticPacking packing(scenario, {ball});
   std::optional<StopReason> stop;
-  while (!stop) stop = packing.advance();
+  while (!stop) stop = packing.advance().stop;
 
   const Points& nodes = packing.progress().rod.nodes;
   const double nearest = nodes.colwise().norm().minCoeff();

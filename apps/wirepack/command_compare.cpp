@@ -11,13 +11,13 @@
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
-#include "wirepack/io/result_end.hpp"
-#include "wirepack/io/result_lock.hpp"
+#include "wirepack/io/recorded_run.hpp"
+#include "wirepack/packing/longest_wire.hpp"
 #include "wirepack/packing/warnings.hpp"
 
 #include "command.hpp"
 #include "run_advice.hpp"
-#include "run_loop.hpp"
+#include "run_display.hpp"
 #include "stop_signals.hpp"
 #include "terminal.hpp"
 
@@ -63,26 +63,19 @@ Scenario scenario_of(const Options& options) {
   return scenario;
 }
 
-/// Runs one way to its end, going on from a file that is there. False: a signal has stopped it.
+/// Runs one way to its end, going on from a file that is there: one that has reached its density goes
+/// on to a larger one, one that was lost stays so. False: a signal has stopped it.
 bool run(const Scenario& scenario, const std::filesystem::path& file, const Options& options) {
-  const ResultLock lock(file);
-  if (!std::filesystem::exists(file)) {
-    PackingRun packing(scenario);
-    Hdf5Recorder recorder(file, scenario, options.command_line);
-    return record_run(packing, recorder, scenario, RunTotals{}, nullptr).stop.has_value();
+  RunDisplay display(scenario, nullptr);
+  RunHooks hooks = display.hooks();
+  hooks.say = say;
+  try {
+    return run_recorded(scenario, file,
+                        {.existing = Existing::go_on, .command_line = options.command_line}, hooks)
+        .stop.has_value();
+  } catch (const InvalidInput& error) {  // the scenario is valid, so it is not that of the file
+    throw InvalidInput(std::string(error.what()) + "; give another folder");
   }
-  const Hdf5Reader reader(file);
-  if (const auto conflict = continuation_conflict(reader.scenario(), scenario)) {
-    throw InvalidInput(fmt::format("{} is of another configuration: {}; give another folder",
-                                   file.string(), *conflict));
-  }
-  // one that has reached its density goes on to a larger one; one that was lost stays so
-  if (end_of(reader, scenario)) return true;
-  PackingProgress progress = place_to_go_on(reader);
-  const RunTotals totals = totals_of(reader.history(), progress.last.increment);
-  Hdf5Recorder recorder = Hdf5Recorder::continuing(file, scenario, options.command_line, progress);
-  PackingRun packing(scenario, std::move(progress));
-  return record_run(packing, recorder, scenario, totals, nullptr).stop.has_value();
 }
 
 ComparedRun read_run(Way way, const std::filesystem::path& file) {

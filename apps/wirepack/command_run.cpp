@@ -14,17 +14,17 @@
 #include "wirepack/core/threads.hpp"
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
-#include "wirepack/io/hdf5_recorder.hpp"
 #include "wirepack/io/output_path.hpp"
+#include "wirepack/io/recorded_run.hpp"
 #include "wirepack/io/result_end.hpp"
-#include "wirepack/io/result_lock.hpp"
 #include "wirepack/io/sweep_status.hpp"
 #include "wirepack/observe/packing_density.hpp"
+#include "wirepack/packing/longest_wire.hpp"
 #include "wirepack/packing/warnings.hpp"
 
 #include "command.hpp"
 #include "run_advice.hpp"
-#include "run_loop.hpp"
+#include "run_display.hpp"
 #include "stop_signals.hpp"
 #include "terminal.hpp"
 
@@ -73,110 +73,76 @@ int show_plan(const Scenario& scenario, const DeclaredUnits& names) {
   return exit_done;
 }
 
-int exit_code(const RunResult& result) {
-  if (!result.stop) return exit_stopped_by_signal;
-  return found_no_equilibrium(*result.stop) ? exit_no_equilibrium : exit_done;
+int exit_code(const RecordedRun& run) {
+  if (!run.stop) return exit_stopped_by_signal;
+  return found_no_equilibrium(*run.stop) ? exit_no_equilibrium : exit_done;
 }
 
-int finish(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
-           const RunTotals& before, const RunOptions& options) {
+// Of a result that was at its end before.
+int say_it_is_over(const RecordedRun& run, const Scenario& scenario, const RunOptions& options) {
+  const std::string reason(name_of(*run.stop));
+  if (!found_no_equilibrium(*run.stop) && !Hdf5Reader(options.output).finished()) {
+    throw InvalidInput(options.output + ": is already beyond stop." + reason);
+  }
+  say(options.output + " is finished: " +
+      (found_no_equilibrium(*run.stop) ? reason + "; " + what_to_try(scenario, *run.stop)
+                                       : "stop." + reason + " is reached"));
+  return exit_code(run);
+}
+
+RecordOptions record_options(const RunOptions& options, const DeclaredUnits& names) {
+  const Existing existing = options.resume  ? Existing::go_on
+                            : options.force ? Existing::replace
+                                            : Existing::refuse;
+  return {existing,
+          options.command_line,
+          {{"length_unit", names.length}, {"force_unit", names.force}},
+          given_keys(options.config, overrides_of(options))};
+}
+
+void say_why_it_stopped(const RecordedRun& run, const Scenario& scenario,
+                        const std::string& saved) {
+  if (!run.stop) {
+    say("stopped by a signal; " + saved + "; --resume goes on from there");
+  } else if (*run.stop == StopReason::no_equilibrium) {
+    say("no equilibrium was found for the next increment, even in the smallest substep; " + saved +
+        "; " + what_to_try(scenario, *run.stop));
+  } else if (*run.stop == StopReason::strands_passed) {
+    say("strands pass through each other in the next increment" +
+        std::string(scenario.method == Method::dynamic ? "" : ", even in the smallest substep") +
+        "; " + saved + "; " + what_to_try(scenario, *run.stop));
+  }
+}
+
+int record(const Scenario& scenario, const RunOptions& options) {
   const DeclaredUnits names = declared_units(options.config, overrides_of(options));
-  recorder.note("length_unit", names.length);
-  recorder.note("force_unit", names.force);
-  say_warnings("run", warnings(scenario, expected_length(scenario)));
-  std::FILE* table = options.log.empty() ? stdout : nullptr;
-  const RunResult result = record_run(packing, recorder, scenario, before, table);
-  const PackingProgress& progress = packing.progress();
-  const std::string saved =
-      fmt::format("{} holds all up to increment {:.0f}", options.output, progress.last.increment);
-  if (result.unread) {
+  if (options.resume && !std::filesystem::exists(options.output)) {
+    say(options.output + " is not there yet: starting from the beginning");
+  }
+  RunDisplay display(scenario, options.log.empty() ? stdout : nullptr);
+  RunHooks hooks = display.hooks();
+  hooks.say = say;
+  hooks.on_start = [&, begin = hooks.on_start](const HistoryRow& row) {
+    say_warnings("run", warnings(scenario, expected_length(scenario)));
+    begin(row);
+  };
+  const RecordedRun run =
+      run_recorded(scenario, options.output, record_options(options, names), hooks);
+  if (run.was_over) return say_it_is_over(run, scenario, options);
+  const std::string saved = fmt::format("{} holds all up to increment {:.0f}", options.output,
+                                        run.progress.last.increment);
+  if (display.unread()) {
     // what is left of the table has nowhere to go
     if (std::freopen("/dev/null", "w", stdout) == nullptr) return exit_file_error;
     say("nobody reads the table any more; " + saved + "; --resume goes on from there");
     return exit_stopped_by_signal;
   }
-  print_lines(summary(result, progress, scenario, names));
-  print_lines(next_step(result.stop, options.output));
+  print_lines(summary(run, scenario, names));
+  print_lines(next_step(run.stop, options.output));
   std::fflush(stdout);
-  say_warnings("run", result.warnings);
-  if (!result.stop) {
-    say("stopped by a signal; " + saved + "; --resume goes on from there");
-  } else if (*result.stop == StopReason::no_equilibrium) {
-    say("no equilibrium was found for the next increment, even in the smallest substep; " + saved +
-        "; " + what_to_try(scenario, *result.stop));
-  } else if (*result.stop == StopReason::strands_passed) {
-    say("strands pass through each other in the next increment" +
-        std::string(scenario.method == Method::dynamic ? "" : ", even in the smallest substep") +
-        "; " + saved + "; " + what_to_try(scenario, *result.stop));
-  }
-  return exit_code(result);
-}
-
-/// The ways to look for an equilibrium that are not those of a result which found none.
-std::vector<std::string> changed_search(const Hdf5Reader& reader, const Scenario& scenario) {
-  const std::string reason = reader.stop_reason();
-  const bool lost = reason == name_of(StopReason::no_equilibrium) ||
-                    reason == name_of(StopReason::strands_passed);
-  return lost ? search_changes(reader.scenario(), scenario) : std::vector<std::string>();
-}
-
-/// What there is to say of a result that is at its end, and the exit code; nothing if it can go on.
-std::optional<int> exit_code_at_end(const Scenario& scenario, const RunOptions& options) {
-  const Hdf5Reader reader(options.output);
-  const Scenario saved = reader.scenario();
-  const std::vector<std::string> changes = changed_search(reader, scenario);
-  Scenario compared = scenario;
-  if (!changes.empty()) {  // how to look for the next equilibrium may be another
-    compared.minimizer = saved.minimizer;
-    compared.insertion = saved.insertion;
-  }
-  const auto given = given_keys(options.config, overrides_of(options));
-  if (const auto conflict = continuation_conflict(saved, compared, given)) {
-    throw InvalidInput(fmt::format("{} cannot be continued with this configuration: {}",
-                                   options.output, *conflict));
-  }
-  const std::optional<StopReason> end = end_of(reader, scenario);
-  if (!end || (found_no_equilibrium(*end) && !changes.empty())) return std::nullopt;
-  const std::string reason(name_of(*end));
-  const bool lost = found_no_equilibrium(*end);
-  const int code = lost ? exit_no_equilibrium : exit_done;
-  if (code == exit_done && !reader.finished()) {
-    throw InvalidInput(options.output + ": is already beyond stop." + reason);
-  }
-  say(options.output + " is finished: " +
-      (lost ? reason + "; " + what_to_try(scenario, *end) : "stop." + reason + " is reached"));
-  return code;
-}
-
-int resume(const Scenario& scenario, const RunOptions& options) {
-  // Another run may have brought it to its end before this one had the lock.
-  if (const auto code = exit_code_at_end(scenario, options)) return *code;
-  const Hdf5Reader reader(options.output);
-  if (const std::string damage = reader.damage(); !damage.empty()) {
-    say(damage + "; the checkpoint before is taken");
-  }
-  PackingProgress progress = place_to_go_on(reader);
-  const RunTotals totals = totals_of(reader.history(), progress.last.increment);
-  std::string history = reader.note("search_changes");
-  for (const std::string& change : changed_search(reader, scenario)) {
-    history += fmt::format("{}after increment {:.0f}: {}", history.empty() ? "" : "\n",
-                           progress.last.increment, change);
-  }
-  say(fmt::format("{}: going on after increment {:.0f}", options.output, progress.last.increment));
-  Hdf5Recorder recorder =
-      Hdf5Recorder::continuing(options.output, scenario, options.command_line, progress);
-  PackingRun packing(scenario, std::move(progress));
-  if (!history.empty()) recorder.note("search_changes", history);
-  return finish(packing, recorder, scenario, totals, options);
-}
-
-/// Starts or goes on; nobody else writes the result meanwhile.
-int run_locked(const Scenario& scenario, const RunOptions& options) {
-  if (options.resume && std::filesystem::exists(options.output)) return resume(scenario, options);
-  if (options.resume) say(options.output + " is not there yet: starting from the beginning");
-  PackingRun packing(scenario);
-  Hdf5Recorder recorder(options.output, scenario, options.command_line);
-  return finish(packing, recorder, scenario, RunTotals{}, options);
+  say_warnings("run", run.warnings);
+  say_why_it_stopped(run, scenario, saved);
+  return exit_code(run);
 }
 
 /// From now on what is printed goes to the end of a file.
@@ -200,17 +166,12 @@ int run(RunOptions options) {
                           "--resume goes on from it, --force replaces it"};
   output_file(options.output, rules);
   if (options.resume && std::filesystem::exists(options.output)) {
-    if (const auto code = exit_code_at_end(scenario, options)) return *code;
+    const auto over = run_before(scenario, options.output, record_options(options, {}));
+    if (over) return say_it_is_over(*over, scenario, options);
   }
-  const ResultLock lock(options.output);
-  if (!lock.doubt().empty()) {
-    say("take care that no second run writes " + options.output + ": " + lock.doubt());
-  }
-  // Asked again: another run may have made it before this one had the lock.
-  options.output = output_file(options.output, rules).string();
-  if (options.log.empty()) return run_locked(scenario, options);
+  if (options.log.empty()) return record(scenario, options);
   print_to(options.log);
-  const int code = run_safely("wirepack run", [&] { return run_locked(scenario, options); });
+  const int code = run_safely("wirepack run", [&] { return record(scenario, options); });
   say(fmt::format("{}{}", exit_code_line, code));
   return code;
 }

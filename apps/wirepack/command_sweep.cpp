@@ -17,11 +17,12 @@
 #include "wirepack/io/sweep_script.hpp"
 #include "wirepack/io/sweep_status.hpp"
 #include "wirepack/io/sweep_tables.hpp"
+#include "wirepack/packing/longest_wire.hpp"
 
 #include "command.hpp"
 #include "process_pool.hpp"
 #include "run_advice.hpp"
-#include "run_loop.hpp"
+#include "run_display.hpp"
 #include "sweep_cost.hpp"
 #include "terminal.hpp"
 

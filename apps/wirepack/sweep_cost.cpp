@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "run_loop.hpp"
+#include "wirepack/packing/longest_wire.hpp"
 
 namespace wirepack {
 

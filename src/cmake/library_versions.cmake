@@ -16,6 +16,10 @@ endfunction()
 
 wirepack_version_from_header(wirepack_hdf5_version "${WIREPACK_hdf5_INCLUDE_DIR}/H5public.h"
   H5_VERS_MAJOR H5_VERS_MINOR H5_VERS_RELEASE)
+set(wirepack_ceres "")
+if(WIREPACK_FIT)
+  set(wirepack_ceres "Ceres ${Ceres_VERSION}")
+endif()
 string(JOIN ", " WIREPACK_LIBRARY_VERSIONS
-  "Eigen ${Eigen3_VERSION}" "NLopt ${NLopt_VERSION}" "Ceres ${Ceres_VERSION}" "HDF5 ${wirepack_hdf5_version}"
+  "Eigen ${Eigen3_VERSION}" "NLopt ${NLopt_VERSION}" ${wirepack_ceres} "HDF5 ${wirepack_hdf5_version}"
   "toml++ ${tomlplusplus_VERSION}" "fmt ${fmt_VERSION}")

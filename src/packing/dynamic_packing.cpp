@@ -202,7 +202,7 @@ DynamicPacking::DynamicPacking(const Scenario& scenario, PackingProgress progres
 DynamicPacking::~DynamicPacking() = default;
 DynamicPacking::DynamicPacking(DynamicPacking&&) noexcept = default;
 
-std::optional<StopReason> DynamicPacking::advance() {
+Advance DynamicPacking::advance() {
   PackingProgress next = progress_;
   MotionProgress& moving = *next.motion;
   const Nozzle& nozzle = model_->nozzle;
@@ -257,7 +257,8 @@ std::optional<StopReason> DynamicPacking::advance() {
       remeshing += old.stored() - moving.flow.stored();
     }
     if (model_->scenario.contact_enabled && (k * passage_checks) % steps < passage_checks) {
-      if (!passed_pairs(checked, state.rod, separation).empty()) return StopReason::strands_passed;
+      if (!passed_pairs(checked, state.rod, separation).empty())
+        return {std::nullopt, StopReason::strands_passed};
       checked = state.rod;
     }
   }
@@ -300,7 +301,7 @@ std::optional<StopReason> DynamicPacking::advance() {
   next.last = row;
   note_force(model_->scenario, next);
   progress_ = std::move(next);
-  return limit_reached(model_->scenario, progress_);
+  return {progress_.last, limit_reached(model_->scenario, progress_)};
 }
 
 bool DynamicPacking::frame_is_due() const {

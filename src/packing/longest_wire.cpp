@@ -1,6 +1,7 @@
 #include "wirepack/packing/longest_wire.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "wirepack/observe/packing_density.hpp"
@@ -19,6 +20,16 @@ double longest_wire(const Scenario& scenario) {
     length =
         std::min(length, 2 * scenario.wire.edge_length +
                              static_cast<double>(*stop.increments) * scenario.insertion.increment);
+  }
+  return length;
+}
+
+double expected_length(const Scenario& scenario) {
+  const StopLimits& stop = scenario.stop;
+  double length = longest_wire(scenario);
+  if (stop.scaled_force || stop.force) {
+    const double density = 0.98 * std::pow(scenario.wire.radius / scenario.cavity.radius, 0.38);
+    length = std::min(length, length_at_density(density, scenario.cavity, scenario.wire.radius));
   }
   return length;
 }

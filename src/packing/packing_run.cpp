@@ -25,9 +25,11 @@ PackingRun::PackingRun(const Scenario& scenario)
 PackingRun::PackingRun(const Scenario& scenario, PackingProgress progress)
     : units_(units_of(scenario)), run_(packing_of(scenario, std::move(progress))) {}
 
-std::optional<StopReason> PackingRun::advance() {
+Advance PackingRun::advance() {
   try {
-    return std::visit([](auto& run) { return run.advance(); }, run_);
+    Advance step = std::visit([](auto& run) { return run.advance(); }, run_);
+    if (step.row) step.row = in_units(*step.row, units_);
+    return step;
   } catch (const UnstableIntegration& end) {
     throw UnstableIntegration(end.increment(), end.inserted_length() * units_.length,
                               end.time_step() * units_.time());

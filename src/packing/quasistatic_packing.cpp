@@ -40,7 +40,7 @@ QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, PackingProgress
 QuasistaticPacking::~QuasistaticPacking() = default;
 QuasistaticPacking::QuasistaticPacking(QuasistaticPacking&&) noexcept = default;
 
-std::optional<StopReason> QuasistaticPacking::advance() {
+Advance QuasistaticPacking::advance() {
   std::int64_t evaluations = 0;
   while (true) {
     Trial trial = attempt_increment(*model_, progress_, progress_.substep);
@@ -52,9 +52,9 @@ std::optional<StopReason> QuasistaticPacking::advance() {
       trial.progress.work = progress_.work;
       trial.progress.substep = std::min(1.0, 2 * trial.progress.substep);
       progress_ = std::move(trial.progress);
-      return reached_limit(model_->scenario, progress_);
+      return {progress_.last, reached_limit(model_->scenario, progress_)};
     }
-    if (progress_.substep <= smallest_substep) return trial.failure;
+    if (progress_.substep <= smallest_substep) return {std::nullopt, trial.failure};
     progress_.substep /= 2;
     if (trial.failure) ++progress_.rollbacks;
   }

@@ -22,7 +22,7 @@ std::vector<KnownProblem> feeding_problems() {
   FedElastica::Shape exact = wire.first_bent(0.05);
   QuasistaticPacking packing(scenario);
   for (bool going = true; going;) {
-    const auto stop = packing.advance();
+    const auto stop = packing.advance().stop;
     if (stop && *stop != StopReason::length) throw NumericalFailure("the wire was not fed");
     going = !stop;
     const HistoryRow& row = packing.progress().last;

@@ -41,7 +41,7 @@ const PackedRod& packed_rod(std::int64_t percent) {
       PackedRod& rod = taken[wanted];
       while (packing.progress().last.packing_density < static_cast<double>(wanted) / 100) {
         rod.before = packing.progress().rod;
-        if (packing.advance()) break;
+        if (packing.advance().stop) break;
       }
       rod.now = packing.progress().rod;
     }

@@ -32,7 +32,7 @@ void packing(benchmark::State& bench, const Run& run) {
     start_length = packing.progress().last.inserted_length;
     std::optional<StopReason> reason;
     while (!reason) {
-      reason = packing.advance();
+      reason = packing.advance().stop;
       const PackingProgress& progress = packing.progress();
       evaluations += progress.last.evaluations;
       evaluated_nodes += progress.last.evaluations * static_cast<double>(progress.rod.node_count());

@@ -30,11 +30,11 @@ void edge_cost(benchmark::State& bench) {
   PackingProgress before, after;
   for (auto _ : bench) {
     QuasistaticPacking packing(scenario);
-    while (packing.progress().last.packing_density < density && !packing.advance()) {
+    while (packing.progress().last.packing_density < density && !packing.advance().stop) {
     }
     before = packing.progress();
     const double start = cpu_seconds();
-    while (!packing.advance()) {
+    while (!packing.advance().stop) {
     }
     bench.SetIterationTime(cpu_seconds() - start);
     after = packing.progress();
@@ -70,7 +70,7 @@ void edges_by_threads(benchmark::State& bench) {
   const double density = 0.2;
   static const PackingProgress start = [&] {
     QuasistaticPacking packing(scenario_to(20, density));
-    while (!packing.advance()) {
+    while (!packing.advance().stop) {
     }
     return packing.progress();
   }();
@@ -79,7 +79,7 @@ void edges_by_threads(benchmark::State& bench) {
   for (auto _ : bench) {
     QuasistaticPacking packing(scenario_to(20, density + 0.005), start);
     const auto clock = std::chrono::steady_clock::now();
-    while (!packing.advance()) {
+    while (!packing.advance().stop) {
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - clock;
     bench.SetIterationTime(passed.count());

@@ -43,7 +43,7 @@ class Compare(ProgramTest):
         self.assertEqual(history, (self.folder / "out" / "dynamic.h5").read_bytes())
         code, _, err = self.run_program(*command, "--set", "wire.poisson_ratio=0.2")
         self.assertEqual(code, 2)
-        self.assertIn("is of another configuration", err)
+        self.assertIn("out/quasistatic.h5 cannot be continued with this configuration", err)
 
     def test_other_units_give_the_same_comparison(self):
         def compared(text):

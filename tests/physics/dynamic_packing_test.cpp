@@ -21,7 +21,7 @@ Scenario scenario_of(Setup setup, double radius, Method method, double length) {
 
 template <class Packing, class Each>
 void run(Packing& packing, Each&& each) {
-  while (!packing.advance()) each(packing.progress().last);
+  while (!packing.advance().stop) each(packing.progress().last);
 }
 
 struct Means {

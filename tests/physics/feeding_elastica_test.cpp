@@ -33,7 +33,7 @@ Feeding feed(const Scenario& scenario) {
   const double contact = 2 * (scenario.cavity.radius - scenario.wire.radius);
   std::optional<StopReason> stop;
   while (!stop) {
-    stop = packing.advance();
+    stop = packing.advance().stop;
     const HistoryRow& row = packing.progress().last;
     if (row.inserted_length < contact - 1e-9) {
       run.worst_early_force = std::max(run.worst_early_force, std::abs(row.scaled_force));

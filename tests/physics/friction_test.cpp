@@ -168,7 +168,7 @@ Peak first_peak(double mu, double start) {
   QuasistaticPacking packing(scenario, progress);
   double peak = 0;
   for (bool going = true; going;) {
-    going = !packing.advance();
+    going = !packing.advance().stop;
     const double force = packing.progress().last.force / unit;
     if (force < 0.99 * peak) break;
     peak = std::max(peak, force);
@@ -233,7 +233,7 @@ double first_peak_over_rolling_load(double edge_length, double increment) {
   const Stiffness stiff = stiffness(scenario.wire);
   const double unit = stiff.bend / (span * span);
   double peak = 0;
-  while (!packing.advance()) peak = std::max(peak, packing.progress().last.force / unit);
+  while (!packing.advance().stop) peak = std::max(peak, packing.progress().last.force / unit);
   return peak / with_compression(rolling_load(), {peak, peak * unit / stiff.stretch});
 }
 

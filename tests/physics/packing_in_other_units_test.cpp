@@ -26,7 +26,7 @@ std::vector<HistoryRow> history_of(const Scenario& scenario) {
   PackingRun packing(scenario);
   std::vector<HistoryRow> rows;
   for (bool going = true; going;) {
-    const std::optional<StopReason> stop = packing.advance();
+    const std::optional<StopReason> stop = packing.advance().stop;
     going = !stop;
     EXPECT_TRUE(!stop || *stop == StopReason::length);
     rows.push_back(packing.row());

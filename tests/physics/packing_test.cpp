@@ -19,8 +19,9 @@ PackedRun pack(const Scenario& scenario) {
   QuasistaticPacking packing(scenario);
   std::optional<StopReason> stop;
   while (!stop) {
-    stop = packing.advance();
-    run.rows.push_back(packing.progress().last);
+    const Advance step = packing.advance();
+    if (step.row) run.rows.push_back(*step.row);
+    stop = step.stop;
   }
   run.stop = *stop;
   run.progress = packing.progress();
@@ -193,9 +194,9 @@ TEST(Packing, ContinuedRunEndsInTheBitsOfAnUndisturbedOne) {
   const Scenario scenario = small_sphere(Setup::high_torsion, 0.15);
   const PackedRun whole = pack(scenario);
   QuasistaticPacking first(scenario);
-  for (int k = 0; k < 37; ++k) ASSERT_FALSE(first.advance());
+  for (int k = 0; k < 37; ++k) ASSERT_FALSE(first.advance().stop);
   QuasistaticPacking second(scenario, first.progress());
-  while (!second.advance()) {
+  while (!second.advance().stop) {
   }
   EXPECT_TRUE(same_bits(whole.progress.rod, second.progress().rod));
   EXPECT_EQ(whole.progress.balance.work, second.progress().balance.work);

@@ -25,8 +25,9 @@ PackedRun pack(const Scenario& scenario) {
   QuasistaticPacking packing(scenario);
   PackedRun result;
   for (bool going = true; going;) {
-    going = !packing.advance();
-    result.rows.push_back(packing.progress().last);
+    const Advance step = packing.advance();
+    if (step.row) result.rows.push_back(*step.row);
+    going = !step.stop;
   }
   result.balance = packing.progress().balance;
   return result;
@@ -81,7 +82,7 @@ TEST(PackingWithFriction,
   QuasistaticPacking packing(scenario);
   std::optional<StopReason> stop;
   while (!stop) {
-    stop = packing.advance();
+    stop = packing.advance().stop;
     ASSERT_LE(packing.progress().last.residual, 1e-6);
     ASSERT_EQ(packing.progress().last.stable, 1);
   }

@@ -40,7 +40,7 @@ TEST_P(StoredRun, IsReproduced) {
   HistoryRow before;
   std::size_t next = 0;
   for (bool going = true; going;) {
-    going = !packing.advance();
+    going = !packing.advance().stop;
     const HistoryRow& row = packing.progress().last;
     for (; next < reference.size() && row.inserted_length >= reference[next].length - 1e-9;
          ++next) {

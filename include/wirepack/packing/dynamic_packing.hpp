@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/packing/advance.hpp"
 #include "wirepack/packing/packing_frame.hpp"
 #include "wirepack/packing/packing_progress.hpp"
 #include "wirepack/packing/scenario.hpp"
-#include "wirepack/packing/stop_rule.hpp"
 
 namespace wirepack {
 
@@ -37,10 +37,9 @@ class DynamicPacking {
   ~DynamicPacking();
   DynamicPacking(DynamicPacking&&) noexcept;
 
-  /// The next increment; progress().last is its row. Returns why the run is over, if it is. Throws
-  /// UnstableIntegration and other NumericalFailures; then the progress is that of the last good
-  /// increment.
-  std::optional<StopReason> advance();
+  /// The next increment; it has no row after strands_passed. Throws UnstableIntegration and other
+  /// NumericalFailures. Then, and without a row, the progress is that of the last good increment.
+  Advance advance();
 
   const PackingProgress& progress() const { return progress_; }
   bool frame_is_due() const;

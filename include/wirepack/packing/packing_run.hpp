@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "wirepack/packing/advance.hpp"
 #include "wirepack/packing/dynamic_packing.hpp"
 #include "wirepack/packing/own_units.hpp"
 #include "wirepack/packing/quasistatic_packing.hpp"
@@ -17,7 +18,7 @@ class PackingRun {
   /// Goes on from the progress of a PackingRun of the same scenario, in these or other units.
   PackingRun(const Scenario& scenario, PackingProgress progress);
 
-  std::optional<StopReason> advance();
+  Advance advance();
   const PackingProgress& progress() const {
     return std::visit([](const auto& run) -> const PackingProgress& { return run.progress(); },
                       run_);

@@ -5,11 +5,11 @@
 #include <optional>
 
 #include "wirepack/energy/energy_terms.hpp"
+#include "wirepack/packing/advance.hpp"
 #include "wirepack/packing/history.hpp"
 #include "wirepack/packing/packing_frame.hpp"
 #include "wirepack/packing/packing_progress.hpp"
 #include "wirepack/packing/scenario.hpp"
-#include "wirepack/packing/stop_rule.hpp"
 
 namespace wirepack {
 
@@ -28,10 +28,9 @@ class QuasistaticPacking {
   QuasistaticPacking(const Scenario& scenario, PackingProgress progress,
                      const EnergyTerms& extra = {});
 
-  /// The next increment; afterwards progress().last is its row (wall_seconds is the caller's).
-  /// Returns why the run is over, if it is; after no_equilibrium or strands_passed the progress is
-  /// that of the last good increment. Throws NumericalFailure.
-  std::optional<StopReason> advance();
+  /// The next increment. After no_equilibrium or strands_passed it has no row, and the progress is that
+  /// of the last good increment. Throws NumericalFailure.
+  Advance advance();
 
   const PackingProgress& progress() const { return progress_; }
   /// phi has grown by output.frame_every_density since the last frame that was taken.

@@ -1,19 +1,17 @@
-#include "run_loop.hpp"
+#include "run_display.hpp"
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
+#include <optional>
 #include <unistd.h>
 
-#include "wirepack/core/error.hpp"
 #include "wirepack/io/history_table.hpp"
 #include "wirepack/io/round_off.hpp"
-#include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/longest_wire.hpp"
-#include "wirepack/packing/warnings.hpp"
+#include "wirepack/packing/own_units.hpp"
 
 #include "stop_signals.hpp"
 
@@ -27,9 +25,6 @@ using Clock = std::chrono::steady_clock;
 constexpr double quasistatic_share = 0.02;
 
 constexpr std::size_t terminal_columns = 80;
-
-// Saving takes no larger share of a run's time, but for what signals and the end ask for.
-constexpr double most_saving = 0.02;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -72,32 +67,6 @@ class ProgressLine {
   HistoryRow start_;
 };
 
-/// When to save: with every frame and every so many seconds, if it does not take too much time.
-class SavingTimes {
- public:
-  explicit SavingTimes(double every_seconds) : every_seconds_(every_seconds) {}
-
-  template <class Save>
-  void time(Save&& save) {
-    const Clock::time_point start = Clock::now();
-    save();
-    seconds_ = seconds_since(start);
-    last_ = Clock::now();
-    frame_waits_ = false;
-  }
-  void frame_waits() { frame_waits_ = true; }
-  bool is_due() const {
-    const double passed = seconds_since(last_);
-    const bool wanted = frame_waits_ || passed >= every_seconds_;
-    return wanted && (every_seconds_ == 0 || seconds_ <= most_saving * passed);
-  }
-
- private:
-  double every_seconds_, seconds_ = 0;
-  bool frame_waits_ = false;
-  Clock::time_point last_ = Clock::now();
-};
-
 }  // namespace
 
 std::string shown_time(double seconds) {
@@ -106,108 +75,63 @@ std::string shown_time(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-void RunTotals::add(const HistoryRow& row) {
-  largest_residual = std::max(largest_residual, row.residual);
-  largest_overlap = std::max(largest_overlap, row.max_overlap);
-  kinetic += row.energy_kinetic;
-  stored += row.energy_total;
-  seconds = row.wall_seconds;
-}
+struct RunDisplay::Shown {
+  std::FILE* file;
+  HistoryTable table;
+  Scenario scenario;
+  std::optional<ProgressLine> progress;
+  Clock::time_point start;
+  bool unread = false;
 
-RunTotals totals_of(const std::vector<HistoryRow>& history, double last_increment) {
-  RunTotals totals;
-  for (const HistoryRow& row : history) {
-    if (row.increment <= last_increment) totals.add(row);
+  void begin(const HistoryRow& row) {
+    start = Clock::now();
+    progress.emplace(scenario, row);
+    if (file != nullptr) std::fputs(table.header().c_str(), file);
   }
-  return totals;
-}
 
-RunResult record_run(PackingRun& packing, Hdf5Recorder& recorder, const Scenario& scenario,
-                     const RunTotals& before, std::FILE* table_file) {
-  RunResult result;
-  result.totals = before;
-  const Clock::time_point start = Clock::now();
-  const HistoryTable table(scenario);
-  ProgressLine progress_line(scenario, packing.row());
-  std::vector<std::string> found = warnings(scenario, expected_length(scenario));
-  recorder.note("warnings", fmt::format("{}", fmt::join(found, "\n")));
-  SavingTimes saving(scenario.output.checkpoint_every_seconds);
-  // Shows now, and not after hours, that the file cannot be written.
-  saving.time([&] { recorder.flush(packing.progress()); });
-  double last_frame = -1;
-  const auto take_frame = [&] {
-    last_frame = packing.progress().last.increment;
-    recorder.add(packing.take_frame());
-  };
-
-  if (table_file != nullptr) std::fputs(table.header().c_str(), table_file);
-  PackingProgress good = packing.progress();
-  try {
-    while (!result.stop && !stop_was_requested() && !result.unread) {
-      result.stop = packing.advance();
-      const PackingProgress& progress = packing.progress();
-      const bool advanced = progress.last.increment > good.last.increment;
-      if (advanced) {
-        // From here a run with larger limits goes on: the last increment may be cut short.
-        if (result.stop) recorder.flush(good);
-        HistoryRow row = packing.row();
-        row.wall_seconds = before.seconds + seconds_since(start);
-        recorder.add(row);
-        result.totals.add(row);
-        progress_line.clear();
-        if (table_file != nullptr) {
-          std::fputs(table.line(row, progress).c_str(), table_file);
-          result.unread = std::fflush(table_file) != 0 && errno == EPIPE;
-        }
-        progress_line.show(row, seconds_since(start));
-      }
-      if (advanced && packing.frame_is_due()) {
-        take_frame();
-        saving.frame_waits();
-      }
-      good = packing.progress();
-      if ((save_was_requested() || saving.is_due()) && !result.stop) {
-        saving.time([&] { recorder.flush(good); });
-      }
+  void add(const HistoryRow& row, const PackingProgress& after) {
+    progress->clear();
+    if (file != nullptr) {
+      std::fputs(table.line(row, after).c_str(), file);
+      unread = std::fflush(file) != 0 && errno == EPIPE;
     }
-  } catch (const NumericalFailure&) {
-    recorder.flush(good);
-    throw;
+    progress->show(row, seconds_since(start));
   }
-  result.warnings = warnings(scenario, packing.progress(), result.totals.largest_overlap);
-  found.insert(found.end(), result.warnings.begin(), result.warnings.end());
-  recorder.note("warnings", fmt::format("{}", fmt::join(found, "\n")));
-  // A run that a signal stopped goes on later; an extra frame would make it differ from others.
-  const double last = packing.progress().last.increment;
-  if (result.stop && last > 0 && last > last_frame) take_frame();
-  recorder.flush(packing.progress(), result.stop);
-  return result;
+};
+
+RunDisplay::RunDisplay(const Scenario& scenario, std::FILE* table)
+    : shown_(new Shown{table, HistoryTable(scenario), scenario, {}, {}}) {}
+
+RunDisplay::~RunDisplay() = default;
+
+RunHooks RunDisplay::hooks() {
+  Shown* shown = shown_.get();
+  RunHooks hooks;
+  hooks.on_start = [shown](const HistoryRow& row) { shown->begin(row); };
+  hooks.on_increment = [shown](const HistoryRow& row, const PackingProgress& after) {
+    shown->add(row, after);
+  };
+  hooks.stop_requested = [shown] { return stop_was_requested() || shown->unread; };
+  hooks.save_requested = save_was_requested;
+  return hooks;
 }
 
-double expected_length(const Scenario& scenario) {
-  const StopLimits& stop = scenario.stop;
-  double length = longest_wire(scenario);
-  if (stop.scaled_force || stop.force) {
-    const double density = 0.98 * std::pow(scenario.wire.radius / scenario.cavity.radius, 0.38);
-    length = std::min(length, length_at_density(density, scenario.cavity, scenario.wire.radius));
-  }
-  return length;
-}
+bool RunDisplay::unread() const { return shown_->unread; }
 
-std::string summary(const RunResult& result, const PackingProgress& progress,
-                    const Scenario& scenario, const DeclaredUnits& names) {
+std::string summary(const RecordedRun& run, const Scenario& scenario, const DeclaredUnits& names) {
+  const PackingProgress& progress = run.progress;
   const Units units = units_of(scenario);
-  const HistoryRow last = in_units(progress.last, units);
+  const HistoryRow& last = run.last;
   const WorkBalance balance = in_units(progress.balance, units);
   const double unit = units.scaled_energy();
   const double percent = balance.work != 0 ? 100 * residue(balance, last) / balance.work : 0;
-  const RunTotals& totals = result.totals;
+  const RunTotals& totals = run.totals;
   const SolverWork& work = progress.work;
   std::string text = "#\n";
   const auto line = [&](std::string_view name, const std::string& value) {
     text += fmt::format("# {:<22}{}\n", name, value);
   };
-  line("stopped by", result.stop ? std::string(name_of(*result.stop)) : "a signal");
+  line("stopped by", run.stop ? std::string(name_of(*run.stop)) : "a signal");
   line("phi_max", fmt::format("{:.6f}", last.packing_density));
   line("inserted length", fmt::format("{:.6g} a", last.inserted_length / scenario.wire.radius));
   const auto energy = [&](std::string_view name, double value) {
