@@ -240,8 +240,7 @@ void say_changes(const SweepChange& change, const Sweep& sweep, const Options& o
   }
 }
 
-int finish(bool stopped, const Options& options) {
-  const Survey tasks = survey(options.folder);
+int finish(bool stopped, const Survey& tasks) {
   for (std::size_t k = 0; k < tasks.status.size(); ++k) {
     const TaskStatus& task = tasks.status[k];
     if (task.state == TaskState::failed) {
@@ -292,19 +291,16 @@ int sweep(Options options) {
     print_lines(write_script(tasks, open, *options.emit, options).string() + "\n");
     return exit_done;
   }
-  if (open.empty()) return finish(false, options);
-  switch (options.executor) {
-    case Executor::local:
-      return finish(!run_here(tasks, open, options), options);
-    case Executor::parallel:
-      return finish(!run_script(write_script(tasks, open, SweepEngine::parallel, options)),
-                    options);
-    case Executor::slurm:
-      break;
+  if (open.empty()) return finish(false, tasks);
+  if (options.executor == Executor::slurm) {
+    return run_script(write_script(tasks, open, SweepEngine::slurm, options))
+               ? exit_done
+               : exit_stopped_by_signal;
   }
-  return run_script(write_script(tasks, open, SweepEngine::slurm, options))
-             ? exit_done
-             : exit_stopped_by_signal;
+  const bool whole = options.executor == Executor::local
+                         ? run_here(tasks, open, options)
+                         : run_script(write_script(tasks, open, SweepEngine::parallel, options));
+  return finish(!whole, survey(options.folder));
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ struct Hdf5Reader::Opened {
   std::string name;
   Hdf5Handle file;
   std::int64_t version;
+  // read once
+  std::optional<std::vector<HistoryRow>> history = {};
+  std::optional<Scenario> scenario = {};
 
   /// What has the attributes that are read.
   Hdf5Handle facts() const { return open_group(file, version < 3 ? "/" : provenance_group); }
@@ -155,7 +158,8 @@ Hdf5Reader::~Hdf5Reader() = default;
 Hdf5Reader::Hdf5Reader(Hdf5Reader&&) noexcept = default;
 
 std::vector<HistoryRow> Hdf5Reader::history() const {
-  return reading(opened_->name, [&] {
+  if (opened_->history) return *opened_->history;
+  return opened_->history.emplace(reading(opened_->name, [&] {
     const Hdf5Handle group = open_group(opened_->file, "history");
     if (opened_->version >= 3) verify_checksum(group);
     std::vector<HistoryRow> rows;
@@ -174,7 +178,7 @@ std::vector<HistoryRow> Hdf5Reader::history() const {
     }
     check_history(rows);
     return rows;
-  });
+  }));
 }
 
 std::vector<std::int64_t> Hdf5Reader::frame_increments() const {
@@ -263,6 +267,7 @@ std::string Hdf5Reader::config() const {
 }
 
 Scenario Hdf5Reader::scenario() const {
+  if (opened_->scenario) return *opened_->scenario;
   try {
     const std::string text = config();
     // Shapes are written out in a result, so that nothing but the result itself is read.
@@ -272,7 +277,7 @@ Scenario Hdf5Reader::scenario() const {
         throw InvalidInput(key.where + ": wire.reference_shape is the name of a file");
       }
     }
-    return parse_config(text, "config");
+    return opened_->scenario.emplace(parse_config(text, "config"));
   } catch (const InvalidInput& error) {
     throw FileError(opened_->name +
                     ": its configuration is not one of this version: " + error.what());

@@ -61,13 +61,14 @@ bool read_result(const std::filesystem::path& result, TaskStatus& status) {
   const Hdf5Reader reader(result);
   const std::vector<HistoryRow> history = reader.history();
   if (!history.empty()) status.last = history.back();
-  if (reader.config() != resolved_config(status.scenario)) {
-    if (const auto conflict = continuation_conflict(reader.scenario(), status.scenario)) {
-      throw InvalidInput("the result is of another configuration: " + *conflict);
-    }
+  std::optional<StopReason> end;
+  if (reader.config() == resolved_config(status.scenario)) {
+    end = stop_reason_of(reader);
+  } else if (const auto conflict = continuation_conflict(reader.scenario(), status.scenario)) {
+    throw InvalidInput("the result is of another configuration: " + *conflict);
+  } else if (reader.finished()) {
+    end = end_of(reader, status.scenario);
   }
-  const std::optional<StopReason> end =
-      reader.finished() ? end_of(reader, status.scenario) : std::nullopt;
   if (!end) return false;
   status.stop_reason = name_of(*end);
   status.state = found_no_equilibrium(*end) ? TaskState::no_equilibrium : TaskState::done;

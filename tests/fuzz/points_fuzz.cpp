@@ -3,11 +3,10 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/points_file.hpp"
 
-#include "file_in_memory.hpp"
+#include "temporary_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const FileInMemory file(data, size);
-  if (!file.good()) return 0;
+  const TemporaryFile file(data, size);
   try {
     wirepack::read_points(file.path());
   } catch (const wirepack::InvalidInput&) {

@@ -7,6 +7,9 @@
 
 namespace wirepack {
 
+/// Why the run of a result ended. Nothing: it is not finished.
+std::optional<StopReason> stop_reason_of(const Hdf5Reader& reader);
+
 /// How a result ends by the limits of a scenario, which need not be those it was made with: the
 /// limit it has reached, or why there was nothing behind its last increment. Nothing: it can go on.
 /// Throws FileError when the result is damaged.
