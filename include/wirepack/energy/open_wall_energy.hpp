@@ -19,14 +19,14 @@ struct CylinderWall {
 };
 using OpenWall = std::variant<PlaneWall, CylinderWall>;
 
-/// Walls beside or in a cavity, each with a linear repulsion of its own: sum over nodes of
-/// k l / 2 overlap^2, l the node length (see WallEnergy for k), overlap = a - distance of the node from
-/// the wall.
+/// Walls beside or in a cavity, each with a linear repulsion of its own: sum over nodes of k l / 2
+/// overlap^2, l the node length (see WallEnergy for k), overlap = a - distance of the node from the
+/// wall.
 class OpenWallEnergy {
  public:
   static constexpr std::string_view name = "open wall";
-  /// Throws InvalidInput for a normal or axis that is no unit vector, or a cylinder too narrow for the
-  /// wire.
+  /// Throws InvalidInput for a normal or axis that is no unit vector, or a cylinder too narrow for
+  /// the wire.
   OpenWallEnergy(const RodParams& params, std::vector<OpenWall> walls, double stiffness);
   Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
