@@ -5,6 +5,7 @@
 
 #include <wirepack/energy/joint_energy.hpp>
 #include <wirepack/energy/load_energy.hpp>
+#include <wirepack/energy/reactions.hpp>
 #include <wirepack/energy/stretch_energy.hpp>
 #include <wirepack/solve/stability.hpp>
 
@@ -45,8 +46,13 @@ int main() {
   for (const NamedEnergy& term : energy.breakdown(rod, gradient)) {
     std::printf("%-8s %10.6f YI/L\n", term.name.data(), term.energy * length / bend);
   }
+  set_zero(gradient, rod);
+  energy.add_gradient(rod, gradient);
+  const double reaction = reactions(rod, gradient)(0, 0) * length * length / bend;
+  std::printf("reaction %.6f YI/L^2\n", reaction);
   const double deflection = rod.nodes(0, edges) / length;
   std::printf("deflection %.6f L, exact %.6f L\n", deflection, exact);
-  const bool right = std::abs(deflection / exact - 1) < 1e-3;  // errors are of order (l k)^2
+  const bool right = std::abs(deflection / exact - 1) < 1e-3 &&
+                     std::abs(reaction + 1) < 1e-4;  // errors are of order (l k)^2
   return found.end == EquilibriumEnd::converged && found.stable && right ? 0 : 3;
 }

@@ -1,5 +1,5 @@
-// Packs a wire and keeps a result file: pack_a_wire OUT.h5. A second call goes on where the first one was
-// interrupted.
+// Packs a wire and keeps a result file: pack_a_wire OUT.h5. A second call goes on where the first
+// one was interrupted.
 #include <cstdio>
 
 #include <wirepack/core/error.hpp>

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -53,6 +54,8 @@ Scenario scenario_of(const Options& options) {
       if (text.find(problem) == std::string::npos) text += (text.empty() ? "" : "\n") + problem;
     }
   }
+  constexpr std::string_view key = "stop.density";  // which --density sets
+  if (text.starts_with(key)) text.replace(0, key.size(), "--density");
   if (!text.empty()) throw InvalidInput(text);
   if (compared_densities(scenario, options.density).empty()) {
     throw InvalidInput(fmt::format(

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -67,7 +68,7 @@ int show_plan(const Scenario& scenario, const DeclaredUnits& names) {
       wire.bend, wire.twist, wire.stretch, shown_force(force_unit(scenario), names),
       shown_energy(units_of(scenario).scaled_energy(), names), length,
       packing_density(length, scenario.cavity, scenario.wire.radius), run.nodes, run.increments,
-      run.frames, run.bytes / 1e6, shown_time(run.seconds));
+      run.frames, run.bytes / 1e6, shown_time(std::max(1.0, run.seconds)));
   print_lines(text);
   say_warnings("run", warnings(scenario, length));
   return exit_done;

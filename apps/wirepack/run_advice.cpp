@@ -42,9 +42,9 @@ std::string what_to_try(const Scenario& scenario, StopReason reason) {
 
 namespace {
 
-// Of a result file: what is there once, and with each frame (groups and datasets of HDF5); a chunk of
+// Of a result file: what is there once, with two checkpoints of a small wire, and with each frame (groups and datasets of HDF5); a chunk of
 // 256 rows of the history; a node of a frame with the contacts it has on average.
-constexpr double bytes_once = 136e3, bytes_of_frame = 17.6e3, bytes_of_chunk = 39e3;
+constexpr double bytes_once = 205e3, bytes_of_frame = 17.6e3, bytes_of_chunk = 39e3;
 constexpr double rows_of_chunk = 256, bytes_of_node = 104;
 // Time of an increment by node, measured at R = 5 to 20 up to phi = 0.75; above phi R / a = 4 snaps
 // take most of it.

@@ -16,10 +16,10 @@ struct LineOfParts {
   double turns;  ///< of the tangent, and of its scatter
 };
 
-/// The line along ordered points of a wire that winds often: curves through parts of a few turns that
-/// overlap by half, each one blended into the next. Errors of k0 add up along a curve: through all
-/// turns at once, a start from the points themselves ends on wrong ones. Nothing where the points wind
-/// less, or where a part has no curve.
+/// The line along ordered points of a wire that winds often: curves through parts of a few turns
+/// that overlap by half, each one blended into the next. Errors of k0 add up along a curve: through
+/// all turns at once, a start from the points themselves ends on wrong ones. Nothing where the
+/// points wind less, or where a part has no curve.
 std::optional<LineOfParts> line_of_parts(
     const MeasuredPoints& points,
     const std::function<CurveSolution(const MeasuredPoints&)>& curve_through);

@@ -45,8 +45,8 @@ Eigen::MatrixXd spline_values(const Eigen::MatrixXd& coefficients, const Eigen::
   return values;
 }
 
-// Coefficients of the B-spline nearest to values at u; a trace of a ridge keeps those without values
-// finite.
+// Coefficients of the B-spline nearest to values at u; a trace of a ridge keeps those without
+// values finite.
 Eigen::MatrixXd spline_through(const Eigen::MatrixXd& values, const Eigen::VectorXd& u,
                                Index intervals) {
   const DarbouxBasis basis{intervals, false, 0, 1};
@@ -92,8 +92,8 @@ Points on_spline(const PositionSpline& spline, const Eigen::VectorXd& u) {
   return spline_values(spline.coefficients, u).transpose();
 }
 
-// Nearest places of the points on a polyline, near where they were and on the same turn, as shares of
-// its length.
+// Nearest places of the points on a polyline, near where they were and on the same turn, as shares
+// of its length.
 Eigen::VectorXd nearest_parameters(const Points& points, const Eigen::VectorXd& was,
                                    const Points& line) {
   const Eigen::VectorXd arc = cumulated_chords(line);
@@ -133,8 +133,8 @@ Vec3 on_circle(const Vec3& a, const Vec3& tangent, const Vec3& b, double share) 
                  (std::cos(part) * tangent + std::sin(part) * across.normalized());
 }
 
-// Tangent at the middle one of three points of the circle through them: inverted about it, the circle
-// is a line.
+// Tangent at the middle one of three points of the circle through them: inverted about it, the
+// circle is a line.
 Vec3 tangent_at(const Vec3& before, const Vec3& here, const Vec3& after) {
   const Vec3 a = here - before, b = after - here;
   return (a / a.squaredNorm() + b / b.squaredNorm()).normalized();

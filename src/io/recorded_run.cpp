@@ -104,7 +104,8 @@ class Recording {
     run_.warnings = warnings(scenario_, packing_.progress(), run_.totals.largest_overlap);
     warnings_.insert(warnings_.end(), run_.warnings.begin(), run_.warnings.end());
     recorder_.note("warnings", lines_of(warnings_));
-    // A run that was stopped on request goes on later; an extra frame would make it differ from others.
+    // A run that was stopped on request goes on later; an extra frame would make it differ from
+    // others.
     const double last = packing_.progress().last.increment;
     if (run_.stop && last > 0 && last > last_frame_) take_frame();
     run_.progress = packing_.progress();
@@ -213,7 +214,8 @@ RecordedRun run_recorded(const Scenario& scenario, const fs::path& file,
     call(hooks.say,
          fmt::format("take care that no second run writes {}: {}", file.string(), lock.doubt()));
   }
-  // Asked again: another run may have made it, or brought it to its end, before this one had the lock.
+  // Asked again: another run may have made it, or brought it to its end, before this one had the
+  // lock.
   if (goes_on()) {
     if (auto over = run_before(scenario, file, options)) return *std::move(over);
     return go_on(scenario, file, options, hooks);

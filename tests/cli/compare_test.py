@@ -70,7 +70,7 @@ class Compare(ProgramTest):
         self.write("run.toml", SCENARIO)
         code, _, err = self.run_program("compare", "run.toml", "-o", "out", "--density", "1.5")
         self.assertEqual(code, 2)
-        self.assertIn("stop.density = 1.5", err)
+        self.assertIn("--density = 1.5", err)
         self.assertFalse((self.folder / "out").exists())
 
 

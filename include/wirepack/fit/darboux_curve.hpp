@@ -8,10 +8,10 @@
 namespace wirepack {
 
 /// How the Darboux vector of a rod depends on the unknowns of a fit: linearly, with few unknowns at
-/// each arc. Constant: unknowns are k1, k2 (and k3, unless `planar`). Spline: cubic B-splines for k1
-/// and k2 over `intervals` equal parts of [first, last], their coefficients one after the other, and
-/// k3 = 0, as a centreline does not tell how its material frame turns. Outside of it, k0 stays what
-/// it is at the end.
+/// each arc. Constant: unknowns are k1, k2 (and k3, unless `planar`). Spline: cubic B-splines for
+/// k1 and k2 over `intervals` equal parts of [first, last], their coefficients one after the other,
+/// and k3 = 0, as a centreline does not tell how its material frame turns. Outside of it, k0 stays
+/// what it is at the end.
 struct DarbouxBasis {
   Index intervals = 0;  ///< 0: constant
   bool planar = false;
@@ -31,11 +31,11 @@ struct DarbouxBasis {
 };
 
 /// A rod's centreline by its Darboux vector: integral of the frame equations from a pose at the
-/// middle arc (of the basis), exactly, with k0 constant over each of many short pieces (one piece if it is constant
-/// anyway).
+/// middle arc (of the basis), exactly, with k0 constant over each of many short pieces (one piece
+/// if it is constant anyway).
 ///
-/// Its unknowns are those of the basis, behind those of the pose, in this order: turns about d1 and d2,
-/// shifts along d1, d2 and d3. A turn about d3 would only turn (k1, k2).
+/// Its unknowns are those of the basis, behind those of the pose, in this order: turns about d1 and
+/// d2, shifts along d1, d2 and d3. A turn about d3 would only turn (k1, k2).
 class DarbouxCurve {
  public:
   static constexpr Index pose_size = 5;
@@ -57,11 +57,12 @@ class DarbouxCurve {
 
   Vec3 darboux(double arc) const { return basis_.darboux(unknowns_, arc); }
   Pose at(double arc) const;
-  /// d(position) / d(unknowns) at an arc, times each of the columns of `directions`: 3 or fewer rows.
+  /// d(position) / d(unknowns) at an arc, times each of the columns of `directions`: 3 or fewer
+  /// rows.
   void by_unknowns(double arc, const Pose& there, const Mat3& directions,
                    Eigen::Ref<Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>> out) const;
-  /// Arc of the foot of a point on the curve, where the tangent is normal to the way to the point; the
-  /// one that Newton's method finds from `arc`.
+  /// Arc of the foot of a point on the curve, where the tangent is normal to the way to the point;
+  /// the one that Newton's method finds from `arc`.
   double foot(const Vec3& point, double arc) const;
 
  private:

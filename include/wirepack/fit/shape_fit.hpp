@@ -53,12 +53,13 @@ struct ShapeFit {
 };
 
 /// Least squares of the distances of points from the centreline of a rod (at their arcs, where arcs
-/// are given), with k0 the unknown; starting values and the order of points are found on the way: that of
-/// the list where it goes along a wire. Standard errors are those of the linearised fit, by the given
-/// sigmas or else by the variance of the residuals. Points times a factor give the shape times that factor.
+/// are given), with k0 the unknown; starting values and the order of points are found on the way:
+/// that of the list where it goes along a wire. Standard errors are those of the linearised fit, by
+/// the given sigmas or else by the variance of the residuals. Points times a factor give the shape
+/// times that factor.
 ///
-/// Throws InvalidInput when the points cannot determine the model: too few of them, all in one place,
-/// no order along a wire, turns of either hand that fit alike, arcs shorter than chords.
+/// Throws InvalidInput when the points cannot determine the model: too few of them, all in one
+/// place, no order along a wire, turns of either hand that fit alike, arcs shorter than chords.
 ShapeFit fit_shape(const MeasuredPoints& points, const FitOptions& options);
 
 }  // namespace wirepack

@@ -54,14 +54,16 @@ struct RecordedRun {
 std::optional<RecordedRun> run_before(const Scenario& scenario, const std::filesystem::path& file,
                                       const RecordOptions& options = {});
 
-/// Runs a scenario to a limit and keeps the result in a file, whose lock it has meanwhile: everything
-/// goes there at the start, with every frame, every output.checkpoint_every_seconds (where saving would take
-/// more than 2 % of the time, and that is not 0, later), on request, and at the end; before the last increment, too, if a limit ends the run. To go on, limits and output of the
-/// scenario may be others than those of the result, and so may [minimizer] and [insertion] after a
-/// run that found no equilibrium; where nothing is there, the run begins.
+/// Runs a scenario to a limit and keeps the result in a file, whose lock it has meanwhile:
+/// everything goes there at the start, with every frame, every output.checkpoint_every_seconds
+/// (where saving would take more than 2 % of the time, and that is not 0, later), on request, and
+/// at the end; before the last increment, too, if a limit ends the run. To go on, limits and output
+/// of the scenario may be others than those of the result, and so may [minimizer] and [insertion]
+/// after a run that found no equilibrium; where nothing is there, the run begins.
 ///
-/// Throws InvalidInput for a scenario that is not valid, or not that of the result; NumericalFailure,
-/// with all increments before it saved; FileError, also when another process writes the result.
+/// Throws InvalidInput for a scenario that is not valid, or not that of the result;
+/// NumericalFailure, with all increments before it saved; FileError, also when another process
+/// writes the result.
 RecordedRun run_recorded(const Scenario& scenario, const std::filesystem::path& file,
                          const RecordOptions& options = {}, const RunHooks& hooks = {});
 

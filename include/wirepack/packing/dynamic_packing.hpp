@@ -23,11 +23,11 @@ class UnstableIntegration : public NumericalFailure {
   double increment_, inserted_length_, time_step_;
 };
 
-/// One packing run in time (Stoop et al. 2011): the rest length of the inlet edge grows at a constant
-/// speed, nodes and edge spins are integrated with the 6-value Gear scheme, strands and wall rub with
-/// stick-slip friction, small viscous forces take out vibrations. A row for each increment of length;
-/// its force is the mean injection force over the increment. Limits of the force count once a first coil
-/// is inside.
+/// One packing run in time (Stoop et al. 2011): the rest length of the inlet edge grows at a
+/// constant speed, nodes and edge spins are integrated with the 6-value Gear scheme, strands and
+/// wall rub with stick-slip friction, small viscous forces take out vibrations. A row for each
+/// increment of length; its force is the mean injection force over the increment. Limits of the
+/// force count once a first coil is inside.
 class DynamicPacking {
  public:
   /// From a straight wire in the nozzle. Throws InvalidInput when the scenario is not valid.

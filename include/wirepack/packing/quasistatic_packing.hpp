@@ -19,8 +19,8 @@ struct PackingModel;
 /// stop or save `progress()` between any two increments. Feed, minimize, check, observe.
 class QuasistaticPacking {
  public:
-  /// From a straight wire in the nozzle. `extra` are energy terms of the caller's own, by reference.
-  /// Throws InvalidInput when the scenario is not valid.
+  /// From a straight wire in the nozzle. `extra` are energy terms of the caller's own, by
+  /// reference. Throws InvalidInput when the scenario is not valid.
   explicit QuasistaticPacking(const Scenario& scenario, const EnergyTerms& extra = {});
   ~QuasistaticPacking();
   QuasistaticPacking(QuasistaticPacking&&) noexcept;
@@ -28,8 +28,8 @@ class QuasistaticPacking {
   QuasistaticPacking(const Scenario& scenario, PackingProgress progress,
                      const EnergyTerms& extra = {});
 
-  /// The next increment. After no_equilibrium or strands_passed it has no row, and the progress is that
-  /// of the last good increment. Throws NumericalFailure.
+  /// The next increment. After no_equilibrium or strands_passed it has no row, and the progress is
+  /// that of the last good increment. Throws NumericalFailure.
   Advance advance();
 
   const PackingProgress& progress() const { return progress_; }

@@ -9,8 +9,8 @@ struct Elasticity {
   double youngs_modulus, poisson_ratio, stretch_multiplier;
 };
 
-/// The solid round wire of this radius that has these stiffnesses: Y = EI / (pi a^4 / 4),
-/// nu = EI / GJ - 1, and EA over Y pi a^2. A Poisson ratio above 0.5 stands for a wire that twists more
+/// The solid round wire of this radius that has these stiffnesses: Y = EI / (pi a^4 / 4), nu = EI /
+/// GJ - 1, and EA over Y pi a^2. A Poisson ratio above 0.5 stands for a wire that twists more
 /// easily than any solid one.
 Elasticity elasticity_of(const Stiffness& stiffness, double radius);
 
@@ -24,10 +24,10 @@ struct WoundCoil {
 
 /// Stiffnesses of the coil as a rod. With the mean diameter D and the pitch d:
 ///   EA = G d^5 / (8 D^3),  EI = E d^5 / (32 D (2 + nu)),  GJ = E d^5 / (64 D),  G = E / (2 (1 + nu)),
-/// of one turn of a slender curved bar that is twisted by a pull, bent and twisted by a moment across the
-/// axis, and bent by one along it (Timoshenko, Strength of Materials, part I, on close-coiled helical
-/// springs; Timoshenko and Gere, Theory of Elastic Stability, on the buckling of helical springs).
-/// Stresses in stock as thick as D / 4 are off by some percent.
+/// of one turn of a slender curved bar that is twisted by a pull, bent and twisted by a moment
+/// across the axis, and bent by one along it (Timoshenko, Strength of Materials, part I, on
+/// close-coiled helical springs; Timoshenko and Gere, Theory of Elastic Stability, on the buckling
+/// of helical springs). Stresses in stock as thick as D / 4 are off by some percent.
 Stiffness stiffness(const WoundCoil& coil);
 
 }  // namespace wirepack

@@ -1,0 +1,25 @@
+#include "wirepack/energy/spring_energy.hpp"
+
+#include <utility>
+
+namespace wirepack {
+
+SpringEnergy::SpringEnergy(std::vector<PointSpring> springs) : springs_(std::move(springs)) {}
+
+Energy SpringEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
+  EnergySum energy;
+  for (const PointSpring& spring : springs_) {
+    const Vec3 force = spring.force(state);
+    energy.add(force.squaredNorm() / (2 * spring.stiffness));
+    gradient.node.col(spring.node) -= force;
+  }
+  return energy.total();
+}
+
+void SpringEnergy::add_curvature(const RodState&, CurvatureModel& model) const {
+  for (const PointSpring& spring : springs_) {
+    model.add_node_block(spring.node, spring.stiffness * Mat3::Identity());
+  }
+}
+
+}  // namespace wirepack
