@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <iterator>
 #include <limits>
 #include <numeric>
@@ -259,6 +260,16 @@ void note_closure(const Fitted& fitted, bool order_given, double first, double l
   if (fit.closed && !order_given && gap > 0) fit.length += gap * unit;
 }
 
+// In no given order, a point far off may be taken for a turn that is not there: one may be an error of
+// measurement, one of fifty says that the line through all of them cannot be trusted.
+void require_outliers_are_few(const Fitted& fitted, const ShapeFit& fit, Index count) {
+  if (!fitted.listed.order_may_be_wrong || fit.model == ShapeModel::circle) return;
+  const auto far = static_cast<Index>(fit.outliers.size());
+  if (far < 2 || 50 * far < count) return;
+  throw InvalidInput(fmt::format("the points cannot tell the shape: {} of {} lie far off, and {}",
+                                 far, count, no_order));
+}
+
 ShapeFit result_of(const Fitted& fitted, const MeasuredPoints& given, const std::vector<Index>& far,
                    const FitOptions& options) {
   const Scaled& scale = fitted.scale;
@@ -294,6 +305,7 @@ ShapeFit result_of(const Fitted& fitted, const MeasuredPoints& given, const std:
     fit.outliers.push_back(which[static_cast<std::size_t>(k)]);
   }
   std::sort(fit.outliers.begin(), fit.outliers.end());
+  require_outliers_are_few(fitted, fit, n);
   note_closure(fitted, given.ordered || given.arc.size() > 0, first, last, fit);
   fit.curve = drawn(solution.curve, first, last, scale);
   return fit;

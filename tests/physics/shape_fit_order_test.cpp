@@ -139,6 +139,28 @@ TEST(FitOfCoils, of_a_spline_through_exact_points_names_no_outliers) {
   EXPECT_TRUE(fit.misfit.empty()) << fit.misfit;
 }
 
+TEST(FitOfCoils, with_many_errors_of_measurement_in_no_order_has_the_right_length_or_cannot_tell) {
+  for (const double turns : {2.0, 5.0}) {
+    for (const Index errors : {1, 3, 9, 21}) {
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        const Coil coil{1, turns, 1, 0, static_cast<Index>(300 / turns), Listing::forward};
+        MeasuredPoints points = coil.points(seed);
+        Random random(seed + 10);
+        for (Index k = 0; k < errors; ++k) {
+          points.position.col((97 * k + 31) % points.count()) += normal_noise(1, 1, random).col(0);
+        }
+        try {
+          const ShapeFit fit = fitted(shuffled(points, seed), ShapeModel::helix);
+          EXPECT_NEAR(fit.length / coil.length(), 1, 0.02)
+              << turns << " turns, " << errors << " errors, seed " << seed;
+        } catch (const InvalidInput&) {
+          EXPECT_GT(errors, 1);
+        }
+      }
+    }
+  }
+}
+
 TEST(FitOfLoops, knows_a_closed_loop_in_no_order) {
   Random random(4);
   Points loop(3, 120);
