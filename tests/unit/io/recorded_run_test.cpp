@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
 #include <vector>
 
 #include "wirepack/core/error.hpp"
@@ -24,7 +26,7 @@ class RecordedRunTest : public ::testing::Test {
   std::vector<HistoryRow> rows(const char* name) const { return Hdf5Reader(file(name)).history(); }
 
   std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) / "wirepack_recorded_run";
+      std::filesystem::path(::testing::TempDir()) / ("recorded_run_" + std::to_string(::getpid()));
   Scenario scenario_ = default_scenario(Setup::high_torsion, {5});
 };
 
