@@ -1,5 +1,5 @@
-// A cantilever that a force at its tip bends far. The exact deflection is that of Bisshopp and Drucker
-// (1945) for a force of YI / L^2.
+// A cantilever that a force at its tip bends far. The exact deflection is that of Bisshopp and
+// Drucker (1945) for a force of YI / L^2.
 #include <cmath>
 #include <cstdio>
 

@@ -1,5 +1,5 @@
-// An energy term of one's own in a packing: a soft ball in the middle of the cavity, which the wire has
-// to go round.
+// An energy term of one's own in a packing: a soft ball in the middle of the cavity, which the wire
+// has to go round.
 #include <algorithm>
 #include <cstdio>
 

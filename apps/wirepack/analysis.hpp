@@ -32,7 +32,8 @@ struct Ensemble {
 };
 std::vector<Ensemble> ensembles(const std::vector<AnalysedRun>& runs);
 
-/// phi_max at a level of F R^2 / YI (mean over an edge) against a / R, of all runs in one setup that have one.
+/// phi_max at a level of F R^2 / YI (mean over an edge) against a / R, of all runs in one setup
+/// that have one.
 struct DensityLaw {
   Setup setup;
   double level;

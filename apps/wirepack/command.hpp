@@ -23,8 +23,8 @@ struct Command {
   std::function<int()> run;
 };
 
-/// Runs a part of the program and gives its exit code; of an error, which is told on stderr behind the
-/// name, the code that belongs to it.
+/// Runs a part of the program and gives its exit code; of an error, which is told on stderr behind
+/// the name, the code that belongs to it.
 int run_safely(const std::string& name, const std::function<int()>& run);
 
 /// `command_line` is what the program was called with, for the provenance of results.

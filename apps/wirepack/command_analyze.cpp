@@ -44,7 +44,8 @@ std::vector<std::string> result_files(const std::vector<std::string>& given) {
   return files;
 }
 
-/// The last frame, or those nearest to the densities. Tells on stderr which densities the run has not.
+/// The last frame, or those nearest to the densities. Tells on stderr which densities the run has
+/// not.
 AnalysedRun analyse(const std::string& file, const std::vector<double>& densities) {
   const Hdf5Reader reader(file);
   const std::vector<std::int64_t> frames = reader.frame_increments();

@@ -66,8 +66,8 @@ Scenario scenario_of(const Options& options) {
   return scenario;
 }
 
-/// Runs one way to its end, going on from a file that is there: one that has reached its density goes
-/// on to a larger one, one that was lost stays so. False: a signal has stopped it.
+/// Runs one way to its end, going on from a file that is there: one that has reached its density
+/// goes on to a larger one, one that was lost stays so. False: a signal has stopped it.
 bool run(const Scenario& scenario, const std::filesystem::path& file, const Options& options) {
   RunDisplay display(scenario, nullptr);
   RunHooks hooks = display.hooks();

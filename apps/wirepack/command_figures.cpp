@@ -71,7 +71,7 @@ int draw(const Options& options) {
   draw_torsion(folder, runs);
   draw_bend_distribution(folder, runs);
   if (!draw_phi_max(folder, runs, options.threshold)) {
-    names.pop_back();
+    std::erase(names, "phi_max");
     print_lines(fmt::format("no phi_max: no run reaches F R^2 / YI = {} (--threshold)\n",
                             options.threshold));
   }

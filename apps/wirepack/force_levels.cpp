@@ -19,7 +19,7 @@ std::optional<double> first_density(const std::vector<HistoryRow>& history, doub
 
 std::vector<LevelDensity> level_densities(const Scenario& scenario,
                                           const std::vector<HistoryRow>& history) {
-  const std::vector<MeanForce> means = mean_forces(scenario.wire.edge_length, history);
+  const std::vector<MeanForce> means = mean_forces(scenario, history);
   std::vector<LevelDensity> levels;
   const auto add = [&](std::string_view scale, double unit) {
     for (int k = -6; k <= 12; ++k) {

@@ -14,7 +14,8 @@ struct LevelDensity {
   std::string_view scale;  ///< "scaled_force" (F R^2 / YI) or "force" (F / (Y a^2))
   double level;            ///< decades and half-decades
   double first;            ///< where a row is the first above it: a peak of the mesh will do
-  /// where the mean over the last edge length of wire fed is; nothing when that stays below
+  /// where the mean over the last edge length of wire fed is, after the first coil; nothing when
+  /// that stays below
   std::optional<double> mean;
 };
 

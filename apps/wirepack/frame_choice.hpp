@@ -7,8 +7,8 @@
 
 namespace wirepack {
 
-/// The frame nearest to a density. Throws InvalidInput, with what the run has, when that lies further from
-/// every frame than frames are apart.
+/// The frame nearest to a density. Throws InvalidInput, with what the run has, when that lies
+/// further from every frame than frames are apart.
 std::int64_t frame_at_density(const Hdf5Reader& reader, const std::string& name,
                               const std::vector<HistoryRow>& history, double density);
 

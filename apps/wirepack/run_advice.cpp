@@ -42,16 +42,17 @@ std::string what_to_try(const Scenario& scenario, StopReason reason) {
 
 namespace {
 
-// Of a result file: what is there once, with two checkpoints of a small wire, and with each frame (groups and datasets of HDF5); a chunk of
-// 256 rows of the history; a node of a frame with the contacts it has on average.
+// Of a result file: what is there once, with two checkpoints of a small wire, and with each frame
+// (groups and datasets of HDF5); a chunk of 256 rows of the history; a node of a frame with the
+// contacts it has on average.
 constexpr double bytes_once = 205e3, bytes_of_frame = 17.6e3, bytes_of_chunk = 39e3;
 constexpr double rows_of_chunk = 256, bytes_of_node = 104;
 // Time of an increment by node, measured at R = 5 to 20 up to phi = 0.75; above phi R / a = 4 snaps
 // take most of it.
 constexpr double seconds_of_increment_by_node = 2.5e-5, many_snaps = 4, growth = 5;
 constexpr double seconds_of_step_by_node = 3.5e-7;
-// Far beyond what has been run (some 1e5 nodes, 1 GB, days), as these are guesses: a node takes some kB
-// of memory.
+// Far beyond what has been run (some 1e5 nodes, 1 GB, days), as these are guesses: a node takes
+// some kB of memory.
 constexpr double most_nodes = 1e8, most_bytes = 1e13, year = 3.2e7, most_seconds = 100 * year;
 
 }  // namespace

@@ -27,8 +27,8 @@ struct RunEstimate {
 };
 RunEstimate estimate(const Scenario& scenario, double length);
 
-/// Throws InvalidInput, with the estimate, when a run to this length is plainly impossible: no machine
-/// has the memory or the disk, or a life is too short.
+/// Throws InvalidInput, with the estimate, when a run to this length is plainly impossible: no
+/// machine has the memory or the disk, or a life is too short.
 void require_possible(const Scenario& scenario, double length);
 
 }  // namespace wirepack

@@ -1,15 +1,16 @@
 # What was published, in gnuplot's words; figures draw it beside runs.
 
-# Stoop et al., PRL 106, 214102 (2011): densest packings of the high torsion setup follow (a/R)^alpha with
-# alpha = 0.38 +- 0.04, up to 0.58 at the largest a/R, 0.25. The factor follows from both.
+# Stoop et al., PRL 106, 214102 (2011): densest packings of the high torsion setup follow
+# (a/R)^alpha with alpha = 0.38 +- 0.04, up to 0.58 at the largest a/R, 0.25. The factor follows.
 paper_exponent = 0.38
 paper_phi_max(x) = 0.58 * (x / 0.25)**paper_exponent
 
-# The same: bending energies E of segments over their mean, a/R = 1/40, high torsion, are log-normal.
+# The same: bending energies of segments over their mean are log-normal (a/R = 1/40, high torsion).
 paper_log_mean = -0.903
 paper_log_deviation = 1.275
 # per unit of ln x
-paper_bend_distribution(x) = exp(-((log(x) - paper_log_mean) / paper_log_deviation)**2 / 2) / (sqrt(2 * pi) * paper_log_deviation)
+paper_bend_distribution(x) = exp(-((log(x) - paper_log_mean) / paper_log_deviation)**2 / 2) \
+    / (sqrt(2 * pi) * paper_log_deviation)
 
 # DNA in the heads of phages, as a wire of a = 1 nm and 0.34 nm per base pair: a/R, phi.
 $phages << EOD

@@ -21,5 +21,6 @@ if(WIREPACK_FIT)
   set(wirepack_ceres "Ceres ${Ceres_VERSION}")
 endif()
 string(JOIN ", " WIREPACK_LIBRARY_VERSIONS
-  "Eigen ${Eigen3_VERSION}" "NLopt ${NLopt_VERSION}" ${wirepack_ceres} "HDF5 ${wirepack_hdf5_version}"
+  "Eigen ${Eigen3_VERSION}" "NLopt ${NLopt_VERSION}" ${wirepack_ceres}
+  "HDF5 ${wirepack_hdf5_version}"
   "toml++ ${tomlplusplus_VERSION}" "fmt ${fmt_VERSION}")

@@ -29,8 +29,8 @@ function(joined out)
   set(${out} "${text}" PARENT_SCOPE)
 endfunction()
 
-joined(SCRIPT strict.js data.js fields.js colours.js camera.js state.js scene.js view.js curves.js actions.js
-  show.js text.js picture.js input.js main.js)
+joined(SCRIPT strict.js data.js fields.js colours.js camera.js state.js scene.js view.js curves.js
+  actions.js show.js text.js picture.js input.js main.js)
 joined(STYLE page.css)
 hash_of("${SCRIPT}" SCRIPT_HASH)
 hash_of("${STYLE}" STYLE_HASH)
@@ -39,8 +39,10 @@ foreach(shader wire.vert wire.frag screen.vert light.frag blend.frag)
   file(READ "${PARTS}/${shader}.glsl" ${name})
 endforeach()
 file(READ "${PARTS}/page.html" page)
-foreach(name SCRIPT_HASH STYLE_HASH SCRIPT STYLE wire_vert wire_frag screen_vert light_frag blend_frag)
+foreach(name SCRIPT_HASH STYLE_HASH SCRIPT STYLE
+    wire_vert wire_frag screen_vert light_frag blend_frag)
   string(REPLACE "@${name}@" "${${name}}" page "${page}")
 endforeach()
 file(WRITE "${OUTPUT}" "#include \"io/view_template.hpp\"\n\nnamespace wirepack {\n\n"
-  "const std::string_view view_template = R\"view_page(${page})view_page\";\n\n}  // namespace wirepack\n")
+  "const std::string_view view_template = R\"view_page(${page})view_page\";\n\n"
+  "}  // namespace wirepack\n")

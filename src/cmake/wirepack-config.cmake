@@ -15,8 +15,10 @@ if(wirepack_missing)
 endif()
 
 include("${CMAKE_CURRENT_LIST_DIR}/wirepack-targets.cmake")
-# find_package(wirepack COMPONENTS fit): wirepack::fit, shapes from measured points, which brings Ceres
-if("fit" IN_LIST wirepack_FIND_COMPONENTS AND EXISTS "${CMAKE_CURRENT_LIST_DIR}/wirepack-fit-targets.cmake")
+# find_package(wirepack COMPONENTS fit): wirepack::fit, shapes from measured points, which brings
+# Ceres
+if("fit" IN_LIST wirepack_FIND_COMPONENTS AND
+   EXISTS "${CMAKE_CURRENT_LIST_DIR}/wirepack-fit-targets.cmake")
   find_dependency(Ceres 2.1 CONFIG)
   include("${CMAKE_CURRENT_LIST_DIR}/wirepack-fit-targets.cmake")
   set(wirepack_fit_FOUND TRUE)

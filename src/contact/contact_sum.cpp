@@ -71,8 +71,8 @@ class LineTable {
   Eigen::VectorXd values_;
 };
 
-// The derivative by the lines of the edges from `start` on: midpoint and vector of each, four numbers
-// apart.
+// The derivative by the lines of the edges from `start` on: midpoint and vector of each, four
+// numbers apart.
 class ByLines {
  public:
   ByLines(Index start, Index edges)
@@ -155,8 +155,8 @@ struct Listed {
   }
 };
 
-// The pairs of four without those that have a free end. These come last, for all others take the same
-// way.
+// The pairs of four without those that have a free end. These come last, for all others take the
+// same way.
 unsigned inner_pairs(const EdgeFour& four, const RodState& state) {
   if (state.ends.closed) return four.listed;
   if (four.first == 0) return 0;
@@ -225,12 +225,13 @@ Sum<Sink> sum_inner_pairs(const LineKernel& kernel, const RodState& state, const
   return sum;
 }
 
-// Pairs are added up in shares, by their first edges: the list must not decide which sum a pair goes to,
-// for it depends on what has been before. Few, as each has numbers of its own for nearly all edges.
+// Pairs are added up in shares, by their first edges: the list must not decide which sum a pair
+// goes to, for it depends on what has been before. Few, as each has numbers of its own for nearly
+// all edges.
 constexpr Index edges_of_a_share = 400, most_shares = 8;
 
-// The pairs of each share. An edge has the fewer partners behind it the later it comes, in the mean, so
-// the first share has the fewest edges.
+// The pairs of each share. An edge has the fewer partners behind it the later it comes, in the
+// mean, so the first share has the fewest edges.
 std::vector<std::span<const EdgeFour>> shares_of(std::span<const EdgeFour> fours, Index edges) {
   const Index count = std::clamp<Index>(edges / edges_of_a_share, 1, most_shares);
   std::vector<std::span<const EdgeFour>> shares;

@@ -133,7 +133,8 @@ template <class T>
   return m;
 }
 
-// Whether lines without ends touch, but for round-off: all by the determinant, so that nothing is divided.
+// Whether lines without ends touch, but for round-off: all by the determinant, so that nothing is
+// divided.
 template <class T>
 [[gnu::always_inline]] inline auto touch_inside(const LineKernel& kernel, const LineOf<T>& first,
                                                 const LineOf<T>& second) {

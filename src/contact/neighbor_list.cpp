@@ -92,7 +92,8 @@ class Neighborhoods {
 
  private:
   static constexpr Index tile_edges = 128;
-  // Neighbours in space are neighbours in memory, a row for each coordinate; four may be read anywhere.
+  // Neighbours in space are neighbours in memory, a row for each coordinate; four may be read
+  // anywhere.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
   std::size_t find(Index j, std::vector<Index>& found) const {
@@ -223,8 +224,8 @@ bool NeighborList::covers(const RodState& state, double margin) const {
   const auto move = [&]<class T>(T, Index node) {
     return load_columns<T>(state.nodes, node) - load_columns<T>(built_at_, node);
   };
-  // No point of an extended line moves farther than one of its ends, 2 b - a and 2 a - b for an edge
-  // from a to b.
+  // No point of an extended line moves farther than one of its ends, 2 b - a and 2 a - b for an
+  // edge from a to b.
   const auto stays = [&]<class T>(const Triple<T>& a, const Triple<T>& b) {
     const Triple<T> start = T(2.0) * a - b, end = T(2.0) * b - a;
     return dot(start, start) <= T(limit) && dot(end, end) <= T(limit);

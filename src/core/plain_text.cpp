@@ -17,7 +17,8 @@ std::size_t length_of_character(std::string_view text) {
   for (std::size_t k = 1; k < length; ++k) {
     if ((byte_at(text, k) & 0xc0) != 0x80) return 0;
   }
-  // control characters of ISO 8859-1, longer codes of what has a shorter one, halves of pairs, the end
+  // control characters of ISO 8859-1, longer codes of what has a shorter one, halves of pairs, the
+  // end
   const bool wrong = (first == 0xc2 && second < 0xa0) || (first == 0xe0 && second < 0xa0) ||
                      (first == 0xed && second > 0x9f) || (first == 0xf0 && second < 0x90) ||
                      (first == 0xf4 && second > 0x8f);

@@ -27,9 +27,9 @@ void set_velocities(DynamicState& state, const Points& velocity, const Eigen::Ve
 
 namespace {
 
-// Angle by which parallel transport along the way of the tangent over the last step differs from that
-// along the chord: the area between them, h^3 / 12 (t x t').t'' at the middle, from the derivatives
-// of the edge there.
+// Angle by which parallel transport along the way of the tangent over the last step differs from
+// that along the chord: the area between them, h^3 / 12 (t x t').t'' at the middle, from the
+// derivatives of the edge there.
 double holonomy_of_step(const DynamicState& state, Index node, Index next) {
   const auto derivative = [&](int k) -> Vec3 {
     return state.nodes.col(k).segment<3>(3 * next) - state.nodes.col(k).segment<3>(3 * node);
@@ -41,8 +41,8 @@ double holonomy_of_step(const DynamicState& state, Index node, Index next) {
   return middle.cross(rate).dot(change) / (12 * square * std::sqrt(square));
 }
 
-// Rotations up to a factor, without trigonometry or roots: a step turns an edge by little. The series
-// of tan(angle / 2) misses by angle^7 / 8e4.
+// Rotations up to a factor, without trigonometry or roots: a step turns an edge by little. The
+// series of tan(angle / 2) misses by angle^7 / 8e4.
 Quat turned_about(const Vec3& axis, double angle) {
   const double half = angle / 2, square = half * half;
   const double tangent = half * (1 + square * (1.0 / 3 + square * 2 / 15));

@@ -12,8 +12,8 @@ namespace wirepack {
 
 namespace {
 
-// Of the edge vectors over their lengths, and of the angles: rounding 1e-11, and as much curvature of
-// the second derivative.
+// Of the edge vectors over their lengths, and of the angles: rounding 1e-11, and as much curvature
+// of the second derivative.
 constexpr double difference = 1e-5;
 
 template <class T>

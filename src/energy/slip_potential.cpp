@@ -45,7 +45,8 @@ Vec3 point_of(const RodState& state, Index edge, double s) {
   return (0.5 - s) * state.nodes.col(edge) + (0.5 + s) * state.nodes.col(next_node(state, edge));
 }
 
-// Share of the straight way after which a gap that shrinks from the first to the second, negative one is zero.
+// Share of the straight way after which a gap that shrinks from the first to the second, negative
+// one is zero.
 double way_to_touch(double first, double second) {
   return first > 0 ? first / (first - second) : 0.0;
 }
@@ -213,7 +214,8 @@ Energy SlipPotential::add_gradient(const RodState& state, Gradient& gradient) co
 void SlipPotential::add_curvature(const RodState& state, CurvatureModel& model) const {
   for (const Contact& c : contacts_) {
     const SurfaceAnchor::Slip slip = c.anchor.slip(state, params_);
-    // k f'(v) / v: the parabola through v that lies above f; v is the slip, or what it is expected to be
+    // k f'(v) / v: the parabola through v that lies above f; v is the slip, or what it is expected
+    // to be
     const double length = std::max({slip.u.norm(), c.expected, c.limit});
     const double weight = length == c.limit ? c.stiffness : c.stiffness * c.limit / length;
     const Vec3 along = slip.map.normal.unitOrthogonal();

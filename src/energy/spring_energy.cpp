@@ -9,9 +9,9 @@ SpringEnergy::SpringEnergy(std::vector<PointSpring> springs) : springs_(std::mov
 Energy SpringEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
   EnergySum energy;
   for (const PointSpring& spring : springs_) {
-    const Vec3 force = spring.force(state);
-    energy.add(force.squaredNorm() / (2 * spring.stiffness));
-    gradient.node.col(spring.node) -= force;
+    const Vec3 stretch = state.nodes.col(spring.node) - spring.point;
+    energy.add(spring.stiffness / 2 * stretch.squaredNorm());
+    gradient.node.col(spring.node) += spring.stiffness * stretch;
   }
   return energy.total();
 }

@@ -33,6 +33,7 @@ AxialLaw<T> axial_law(const T& ratio) {
 
 template <class T>
 struct Spring {
+  T ratio;
   AxialLaw<T> law;
   Triple<T> tension;
 };
@@ -41,8 +42,9 @@ template <class T>
 Spring<T> spring(const Triple<T>& edge, double rest, double stiffness) {
   using std::sqrt;
   const T length = sqrt(dot(edge, edge));
-  const AxialLaw<T> law = axial_law<T>(length / rest);
-  return {law, (stiffness * law.slope / length) * edge};
+  const T ratio = length / rest;
+  const AxialLaw<T> law = axial_law<T>(ratio);
+  return {ratio, law, (stiffness * law.slope / length) * edge};
 }
 
 }  // namespace
@@ -64,8 +66,7 @@ Energy StretchEnergy::add_gradient(const RodState& state, Gradient& gradient) co
   const Spring<double> s = spring(triple(edge), rest, stiffness_);
   add(last, s, rest);
   if (!state.ends.closed) {
-    const double ratio = edge.norm() / rest;
-    gradient.inlet_length += stiffness_ * (s.law.energy - ratio * s.law.slope);
+    gradient.inlet_length += stiffness_ * (s.law.energy - s.ratio * s.law.slope);
   }
   add_by_edges(state, by_edge, gradient.node);
   return energy.total();

@@ -25,7 +25,8 @@ Index node_inside(const RodState& state, Index end) {
   return end == 0 ? 1 : state.node_count() - 2;
 }
 
-// Cosine of the angle between the edge of a free end at r, which starts at `inside`, and the wall's normal.
+// Cosine of the angle between the edge of a free end at r, which starts at `inside`, and the wall's
+// normal.
 double cosine_at(const Vec3& r, const Vec3& inside) {
   return (r - inside).normalized().dot(r.normalized());
 }
@@ -103,7 +104,8 @@ double WallEnergy::stiffness(const RodState& state, Index node) const {
 }
 
 void WallEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {
-  // An end that leans turns its contact's stiffness: by differences of its gradient, over the radius.
+  // An end that leans turns its contact's stiffness: by differences of its gradient, over the
+  // radius.
   const auto add_end = [&](Index i) {
     const Index inside = node_inside(state, i);
     const Vec3 r = state.nodes.col(i), from = state.nodes.col(inside);

@@ -30,8 +30,8 @@ struct Trial {
 };
 
 // The shortest of those that fit about as well as the best. A helix of very dense turns is near any
-// point of its cylinder, so that its residuals are only those across it: half the squares of the right
-// one, whatever the points.
+// point of its cylinder, so that its residuals are only those across it: half the squares of the
+// right one, whatever the points.
 const FitStart& best_of(const std::vector<Trial>& trials, Index points) {
   constexpr double as_well = 2.5;
   const double round_off = 1e-22 * static_cast<double>(points);
@@ -154,8 +154,8 @@ CurveSolution refined(const MeasuredPoints& points, CurveSolution solution) {
   return solution;
 }
 
-// Errors of k0 add up along a wire that winds often. Where its length has changed by half a turn since
-// the start, feet have gone over to other turns.
+// Errors of k0 add up along a wire that winds often. Where its length has changed by half a turn
+// since the start, feet have gone over to other turns.
 void check_turns(const FitStart& start, const CurveSolution& solution) {
   if (!solution.converged || solution.rows == 3) return;
   const double before = start.feet.maxCoeff() - start.feet.minCoeff();

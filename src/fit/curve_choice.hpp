@@ -12,9 +12,9 @@ namespace wirepack {
 /// Some of the points, in the order of `which`.
 MeasuredPoints chosen(const MeasuredPoints& points, const std::vector<Index>& which);
 
-/// The curve of a model that is nearest to points: starts, intervals, least squares. The points of a
-/// spline must be ordered. Where the order was only found, as it may be wrong, a helix is also looked
-/// for in the points as a set.
+/// The curve of a model that is nearest to points: starts, intervals, least squares. The points of
+/// a spline must be ordered. Where the order was only found, as it may be wrong, a helix is also
+/// looked for in the points as a set.
 CurveSolution nearest_curve(const MeasuredPoints& points, const FitOptions& options,
                             bool order_may_be_wrong);
 

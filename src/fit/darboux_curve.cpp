@@ -16,8 +16,8 @@ constexpr Index pieces_per_interval = 16;
 
 using Jet = ceres::Jet<double, 3>;
 
-// A screw motion with its derivative by the Darboux vector: turn of the frame and shift of the place,
-// both in the axes of the start.
+// A screw motion with its derivative by the Darboux vector: turn of the frame and shift of the
+// place, both in the axes of the start.
 struct ScrewDerivative {
   Placement<double> motion;
   Mat3 turn, shift;

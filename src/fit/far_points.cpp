@@ -11,8 +11,8 @@ namespace {
 
 constexpr double alone = 6;  // distances of the rest from their neighbours
 
-// Distance of each point from its nearest neighbour. Points are sorted by the coordinate that extends
-// most, so that few others need a look.
+// Distance of each point from its nearest neighbour. Points are sorted by the coordinate that
+// extends most, so that few others need a look.
 std::vector<double> neighbour_distances(const Points& points) {
   Index axis = 0;
   (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff(&axis);

@@ -17,8 +17,8 @@ struct Uncertainty {
   bool planar;       ///< points and scatter are in one plane, as in a picture
 };
 
-/// Of the linearised fit: by the given sigmas, or by the variance of the residuals. Of planar points
-/// only the residuals in the plane, and the unknowns that they depend on, count.
+/// Of the linearised fit: by the given sigmas, or by the variance of the residuals. Of planar
+/// points only the residuals in the plane, and the unknowns that they depend on, count.
 Uncertainty uncertainty_of(const MeasuredPoints& points, const CurveSolution& solution);
 
 /// Standard deviation of a coordinate (over the sigmas where there are any) by the median of the

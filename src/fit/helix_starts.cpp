@@ -197,8 +197,8 @@ std::vector<Vec3> cylinder_axes(const Points& points, const Mat3& principal) {
 constexpr Index enough_points = 600;
 
 // Turns per height that most of the points agree on, for points in any order: the maximum of
-// |sum exp(i (angle - w height))|. Points at equal steps of height agree on others as well, of which
-// the least turns are the wire's.
+// |sum exp(i (angle - w height))|. Points at equal steps of height agree on others as well, of
+// which the least turns are the wire's.
 double best_winding(const Cylinder& cylinder) {
   const Index n = cylinder.angle.size();
   const std::vector<Index> which = point_sample(n, enough_points);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double clear = 4;  // standard deviations
 
-// Root mean square of the residuals along the binormal of the curve (the axis of a circle, and nearly
-// that of a flat coil) over that along its normal.
+// Root mean square of the residuals along the binormal of the curve (the axis of a circle, and
+// nearly that of a flat coil) over that along its normal.
 double binormal_share(const CurveSolution& solution) {
   double along = 0, across = 0;
   for (Index i = 0; i < solution.residual.cols(); ++i) {

@@ -12,7 +12,8 @@ namespace wirepack {
 
 namespace {
 
-// Means of groups of points: each point belongs to the first kept one within the radius, or is kept.
+// Means of groups of points: each point belongs to the first kept one within the radius, or is
+// kept.
 Points group_means(const Points& points, double radius) {
   std::vector<Vec3> kept, sum;
   std::vector<double> count;

@@ -8,8 +8,8 @@
 
 namespace wirepack {
 
-/// So many places of a list at most, in their order, one drawn from each of as many equal parts. Equal
-/// strides through the points of a coil could all lie on another one.
+/// So many places of a list at most, in their order, one drawn from each of as many equal parts.
+/// Equal strides through the points of a coil could all lie on another one.
 inline std::vector<Index> point_sample(Index count, Index most) {
   Random random(1);
   std::vector<Index> which;

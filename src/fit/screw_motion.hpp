@@ -12,9 +12,9 @@ struct Placement {
   Eigen::Matrix<T, 3, 1> position;
 };
 
-/// The centreline and frame at arc s of a rod whose Darboux vector k is constant, seen from those at
-/// arc 0: the exponential of a screw, R = exp(s [k]x), position = int_0^s R(u) e3 du. For any sign of
-/// s; T is a number or a jet of derivatives.
+/// The centreline and frame at arc s of a rod whose Darboux vector k is constant, seen from those
+/// at arc 0: the exponential of a screw, R = exp(s [k]x), position = int_0^s R(u) e3 du. For any
+/// sign of s; T is a number or a jet of derivatives.
 template <class T>
 Placement<T> screw_motion(const Eigen::Matrix<T, 3, 1>& k, const T& s) {
   using std::cos;

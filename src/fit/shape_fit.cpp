@@ -260,8 +260,8 @@ void note_closure(const Fitted& fitted, bool order_given, double first, double l
   if (fit.closed && !order_given && gap > 0) fit.length += gap * unit;
 }
 
-// In no given order, a point far off may be taken for a turn that is not there: one may be an error of
-// measurement, one of fifty says that the line through all of them cannot be trusted.
+// In no given order, a point far off may be taken for a turn that is not there: one may be an error
+// of measurement, one of fifty says that the line through all of them cannot be trusted.
 void require_outliers_are_few(const Fitted& fitted, const ShapeFit& fit, Index count) {
   if (!fitted.listed.order_may_be_wrong || fit.model == ShapeModel::circle) return;
   const auto far = static_cast<Index>(fit.outliers.size());

@@ -16,14 +16,14 @@ struct StartLine {
   Index intervals = 1;    ///< has no finer detail than a spline of so many
 };
 
-/// The points' position as a cubic B-spline of the arc, with as many intervals as Schwarz's criterion
-/// wants: for points that scatter.
+/// The points' position as a cubic B-spline of the arc, with as many intervals as Schwarz's
+/// criterion wants: for points that scatter.
 StartLine smoothed_line(const MeasuredPoints& points);
 /// Circles through points: for few of them to a turn.
 StartLine line_through(const MeasuredPoints& points);
 
-/// A smooth curve along ordered points. Only a start, as its curvature is biased where the wire bends
-/// tightly, or points scatter.
+/// A smooth curve along ordered points. Only a start, as its curvature is biased where the wire
+/// bends tightly, or points scatter.
 class SplineStart {
  public:
   SplineStart(const MeasuredPoints& points, const StartLine& line);

@@ -14,10 +14,11 @@ Points points_of(const Hdf5Table<double>& table);
 Hdf5Table<double> table_of(const std::vector<Quat>& rotations, Index count);
 std::vector<Quat> rotations_of(const Hdf5Table<double>& table);
 
-/// Writes a group that holds all of a progress, bit for bit, in units of the wire. What was there is
-/// replaced.
+/// Writes a group that holds all of a progress, bit for bit, in units of the wire. What was there
+/// is replaced.
 void write_checkpoint(hid_t file, const std::string& group, const PackingProgress& progress);
-/// Writes what readers look at: /balance in `units`, those of the configuration, /crossings and /work.
+/// Writes what readers look at: /balance in `units`, those of the configuration, /crossings and
+/// /work.
 void write_shown(hid_t file, const PackingProgress& progress, const Units& units);
 /// In the units of the checkpoint: those of the configuration in files of format version 1. Throws
 /// FileError where the group has no progress that a run can have.

@@ -15,8 +15,8 @@ namespace wirepack {
 
 namespace {
 
-// Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline, and one of no
-// radius to close each end.
+// Grid of a tube's surface for gnuplot: a block of lines to each point of the centreline, and one
+// of no radius to close each end.
 std::string tube(const SmoothLine& line, double radius) {
   constexpr Index around = 24;
   const Points rings = tube_rings(line.points, radius, around);
@@ -63,7 +63,8 @@ std::string colour_range(const Eigen::VectorXd& colour) {
   return fmt::format("set cbrange [0:{:.3g}]\n", top_of_colours(colour));
 }
 
-// Ellipses in which the plane y = 0 cuts the edges: x z, both diameters, the angle of the long one, colour.
+// Ellipses in which the plane y = 0 cuts the edges: x z, both diameters, the angle of the long one,
+// colour.
 std::string section_ellipses(const Points& nodes, const Eigen::VectorXd& colour, double radius) {
   std::string text = "# x z long_diameter short_diameter angle colour\n";
   for (Index j = 0; j + 1 < nodes.cols(); ++j) {

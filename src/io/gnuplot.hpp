@@ -13,9 +13,10 @@ inline constexpr const char* curve_style =
 // A title that gnuplot shows to the letter, with the word `title`.
 std::string gnuplot_title(const std::string& text);
 
-// Draws NAME.png, NAME.pdf and NAME.svg in the folder by these commands, and keeps the script and its data,
-// NAME.dat, beside them. `size` is that of the PDF, `pixels` that of the PNG. Each file is replaced as a
-// whole. Throws FileError where something cannot be written, or gnuplot fails or is missing.
+// Draws NAME.png, NAME.pdf and NAME.svg in the folder by these commands, and keeps the script and
+// its data, NAME.dat, beside them. `size` is that of the PDF, `pixels` that of the PNG. Each file
+// is replaced as a whole. Throws FileError where something cannot be written, or gnuplot fails or
+// is missing.
 void draw_with_gnuplot(const std::filesystem::path& folder, const std::string& name,
                        const std::string& data, const std::string& commands,
                        const std::string& size, const std::string& pixels);

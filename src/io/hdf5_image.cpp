@@ -13,8 +13,8 @@ Hdf5Handle memory_access() {
 }
 
 // From the format of 1.8 on the headers of groups and datasets have checksums: damage is noticed
-// before it is believed. The file as a whole stays in the oldest format, as H5Fget_file_image spoils
-// the checksum of newer superblocks (mended in HDF5 2.0).
+// before it is believed. The file as a whole stays in the oldest format, as H5Fget_file_image
+// spoils the checksum of newer superblocks (mended in HDF5 2.0).
 Hdf5Handle with_checksums(Hdf5Handle file) {
   hdf5_checked(H5Fset_libver_bounds(file, H5F_LIBVER_V18, H5F_LIBVER_V18), "preparing the file");
   return file;

@@ -204,7 +204,8 @@ void Hdf5Recorder::write(const Hdf5Handle& image, const PackingProgress& progres
 void Hdf5Recorder::flush(const PackingProgress& progress, std::optional<StopReason> stop) {
   const QuietHdf5 quiet;
   if (last_ && last_->last.increment < progress.last.increment) before_ = last_;
-  // What comes behind it is dropped; and how far a run that is lost was saved before is a matter of time.
+  // What comes behind it is dropped; and how far a run that is lost was saved before is a matter of
+  // time.
   const bool lost = stop == StopReason::no_equilibrium || stop == StopReason::strands_passed;
   if (lost || (before_ && before_->last.increment >= progress.last.increment)) before_.reset();
   last_ = progress;

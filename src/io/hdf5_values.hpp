@@ -39,8 +39,9 @@ template <class T>
 T read_attribute(hid_t location, const std::string& name);
 std::string read_text_attribute(hid_t location, const std::string& name);
 
-// Texts of variable length, as above, are what other readers take for texts; they lie in a heap without
-// checksum, a damage of which HDF5 does not survive. Those of fixed length lie beside their name.
+// Texts of variable length, as above, are what other readers take for texts; they lie in a heap
+// without checksum, a damage of which HDF5 does not survive. Those of fixed length lie beside their
+// name.
 void write_fixed_text(hid_t location, const std::string& name, const std::string& value);
 std::string read_fixed_text(hid_t location, const std::string& name);
 

@@ -17,8 +17,8 @@ struct NodeValue {
 /// Length of wire that belongs to every node (N): half of both edges at the node.
 Eigen::VectorXd node_lengths(const RodState& rod);
 
-/// Force of self-contact at every node (N): half of each contact's force at either node of both edges,
-/// so it sums up to twice the forces of the contacts.
+/// Force of self-contact at every node (N): half of each contact's force at either node of both
+/// edges, so it sums up to twice the forces of the contacts.
 Eigen::VectorXd contact_force(const PackingFrame& frame);
 
 /// Bending energy per length over YI / (2 R^2) at every node (N): (kappa R)^2 of a wire that is

@@ -11,7 +11,8 @@ namespace wirepack {
 std::vector<unsigned char> packed(const std::vector<float>& numbers);
 
 /// Of the numbers, `order` times the difference to the one before is taken (modulo 2^16; the first
-/// one's is to 0), and its sign moved to the lowest bit: d >= 0 becomes 2 d, d < 0 becomes -2 d - 1.
+/// one's is to 0), and its sign moved to the lowest bit: d >= 0 becomes 2 d, d < 0 becomes -2 d -
+/// 1.
 std::vector<unsigned char> packed_differences(std::vector<std::int16_t> numbers, int order);
 
 /// Each byte less the one before, modulo 256; the first one less 0.

@@ -6,9 +6,9 @@
 namespace wirepack {
 
 inline constexpr std::string_view result_format = "wirepack";
-/// Raised when a reader of the old layout would misread the new one. 2: the checkpoint is in units of
-/// the wire, and not in those of the configuration. 3: what is read has checksums, and the checkpoint holds
-/// all of a progress.
+/// Raised when a reader of the old layout would misread the new one. 2: the checkpoint is in units
+/// of the wire, and not in those of the configuration. 3: what is read has checksums, and the
+/// checkpoint holds all of a progress.
 inline constexpr std::int64_t result_format_version = 3;
 
 // What wirepack reads of the attributes of /, with a checksum.

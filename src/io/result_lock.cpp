@@ -34,8 +34,8 @@ std::filesystem::path lock_file_of(const std::filesystem::path& result) {
   return file += ".lock";
 }
 
-// Locks of an open file, not of a process: no other close() of ours gives them back, they can be asked
-// for without being taken, and NFS hands them on to its server.
+// Locks of an open file, not of a process: no other close() of ours gives them back, they can be
+// asked for without being taken, and NFS hands them on to its server.
 int lock_call(int descriptor, int command, struct flock& range) {
   range = {};
   range.l_type = F_WRLCK;

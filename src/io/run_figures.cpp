@@ -65,7 +65,8 @@ std::string curves(const std::vector<RunGroup>& groups) {
   return text;
 }
 
-// Plots every group's column, with its band of errors. `name_of` gives the title of a group, or nothing.
+// Plots every group's column, with its band of errors. `name_of` gives the title of a group, or
+// nothing.
 template <class NameOf>
 std::string plot_groups(const std::vector<RunGroup>& groups, const std::string& figure, int column,
                         int dash, const NameOf& name_of) {
@@ -104,15 +105,6 @@ std::string name_in_key(Setup setup) {
   return setup == Setup::high_torsion ? "high torsion" : "low torsion";
 }
 
-// The wire that comes to the wall straight buckles at a force that says nothing of the packing.
-std::vector<HistoryRow> after_the_first_coil(const FigureRun& run) {
-  const double length = first_coil_length(run.scenario.cavity);
-  const auto from =
-      std::find_if(run.history.begin(), run.history.end(),
-                   [&](const HistoryRow& row) { return row.inserted_length > length; });
-  return {from, run.history.end()};
-}
-
 // Densities at a threshold by a / R.
 using Readings = std::map<double, std::vector<double>>;
 
@@ -121,8 +113,7 @@ Readings readings_of(const std::vector<FigureRun>& runs, Setup setup, double thr
   for (const FigureRun& run : runs) {
     if (run.scenario.setup != setup) continue;
     const double force = threshold * units_of(run.scenario).scaled_force();
-    const auto density = density_at_force(
-        mean_forces(run.scenario.wire.edge_length, after_the_first_coil(run)), force);
+    const auto density = density_at_force(mean_forces(run.scenario, run.history), force);
     if (!density) continue;
     readings[run.scenario.wire.radius / run.scenario.cavity.radius].push_back(*density);
   }

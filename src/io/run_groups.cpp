@@ -71,7 +71,8 @@ std::vector<CurvePoint> points_of(const std::vector<const FigureRun*>& runs) {
   return points;
 }
 
-// A group of seeds is called by what makes the packing, and by its first run where that is not enough.
+// A group of seeds is called by what makes the packing, and by its first run where that is not
+// enough.
 void name_groups(std::vector<RunGroup>& groups) {
   std::map<std::string, int> uses;
   const auto name = [](const RunGroup& group) {

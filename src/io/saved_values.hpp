@@ -8,8 +8,8 @@
 
 namespace wirepack {
 
-// What a file holds is looked at like what a configuration says: a checksum only tells that somebody
-// has written it. All numbers are finite already. Each throws FileError.
+// What a file holds is looked at like what a configuration says: a checksum only tells that
+// somebody has written it. All numbers are finite already. Each throws FileError.
 
 /// Lists that fit together, edges that are there, positive lengths, parts between none and all.
 void check_progress(const PackingProgress& progress);

@@ -4,7 +4,8 @@
 
 namespace wirepack {
 
-// When to save a run: with every frame and every so many seconds, if that does not take too much time.
+// When to save a run: with every frame and every so many seconds, if that does not take too much
+// time.
 class SavingTimes {
  public:
   explicit SavingTimes(double every_seconds) : every_seconds_(every_seconds) {}

@@ -28,13 +28,13 @@ struct SweepAxis {
   std::vector<SweepPoint> points;
 };
 
-/// The axes of the table [sweep], in the order of the text. Adds to the problems, a line each. Takes
-/// zips and cases out of the table, as a copy of it would not know its places in the text.
+/// The axes of the table [sweep], in the order of the text. Adds to the problems, a line each.
+/// Takes zips and cases out of the table, as a copy of it would not know its places in the text.
 std::vector<SweepAxis> sweep_axes(toml::table& sweep, const std::string& source,
                                   std::vector<std::string>& problems);
 
-/// The values of sections of a configuration, in the order of the text; values of keys may be all but
-/// tables. `sections` holds sections alone.
+/// The values of sections of a configuration, in the order of the text; values of keys may be all
+/// but tables. `sections` holds sections alone.
 std::vector<SweepValue> section_values(const toml::table& sections, const std::string& source,
                                        std::vector<std::string>& problems);
 

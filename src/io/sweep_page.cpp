@@ -23,7 +23,8 @@ constexpr double weakest = 0.01, strongest = 100;
 constexpr std::string_view head =
     R"HTML(<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"/>
 <meta name="viewport" content="width=device-width"/><title>Sweep</title><style>
-body{font:15px sans-serif;max-width:80em;margin:2em auto;padding:0 1em}table{border-collapse:collapse}
+body{font:15px sans-serif;max-width:80em;margin:2em auto;padding:0 1em}
+table{border-collapse:collapse}
 td,th{padding:.3em .8em;border-bottom:1px solid #ddd;text-align:right;vertical-align:middle}
 td:first-child,th:first-child,td:last-child{text-align:left}svg{display:block}
 svg *{fill:none;stroke:#1f77b4;stroke-width:1}svg .edge{stroke:#aaa}

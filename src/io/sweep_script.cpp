@@ -93,9 +93,10 @@ constexpr std::string_view parallel_script = R"SCRIPT(#!/bin/bash
 # Hosts must share this folder. It can be run again at any time: finished tasks return at once.
 wirepack=@program@
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 5
+run="'$wirepack' run {}/config.toml -o {}/run.h5 --resume --threads @threads@ --log {}/run.log"
 # Runs that are told to end have ten minutes to save.
 exec parallel --workdir "$PWD" --termseq TERM,600000,KILL,25 @at_once@"$@" \
-  "'$wirepack' run {}/config.toml -o {}/run.h5 --resume --threads @threads@ --log {}/run.log || [ \$? -eq 3 ]" << 'END'
+  "$run || [ \$? -eq 3 ]" << 'END'
 @tasks@END
 )SCRIPT";
 

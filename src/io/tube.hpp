@@ -18,7 +18,8 @@ SmoothLine smooth_line(const Points& nodes, const Eigen::VectorXd& colour, Index
 inline Index smooth_parts(Index nodes) { return nodes < 2000 ? 3 : 1; }
 
 /// Rings of `around` points about each point of a line, one ring after the other, without twist
-/// along the line. Ring k is the columns k * around, ...; its points run to the right about the line.
+/// along the line. Ring k is the columns k * around, ...; its points run to the right about the
+/// line.
 Points tube_rings(const Points& line, double radius, Index around);
 
 }  // namespace wirepack

@@ -4,8 +4,8 @@
 
 namespace wirepack {
 
-/// The page of `wirepack view` without its data, made of the files in src/io/view when the program is
-/// built.
+/// The page of `wirepack view` without its data, made of the files in src/io/view when the program
+/// is built.
 extern const std::string_view view_template;
 
 /// Stands once in view_template, where the data belong: inside of a script element of type

@@ -15,10 +15,11 @@ struct KeyProblem {
   std::string path, problem;
 };
 
-/// Stiffness as users know it: [wire] bending_stiffness, torsional_stiffness, persistence_length with
-/// temperature, or [wire.coil]. Adds the keys that they stand for, wire.youngs_modulus, poisson_ratio,
-/// stretch_multiplier, radius, where they are not given; says which keys cannot be together or cannot be
-/// at all. A persistence length without declared units is one in nm and pN, which are declared then.
+/// Stiffness as users know it: [wire] bending_stiffness, torsional_stiffness, persistence_length
+/// with temperature, or [wire.coil]. Adds the keys that they stand for, wire.youngs_modulus,
+/// poisson_ratio, stretch_multiplier, radius, where they are not given; says which keys cannot be
+/// together or cannot be at all. A persistence length without declared units is one in nm and pN,
+/// which are declared then.
 std::vector<KeyProblem> resolve_stiffness(GivenNumbers& numbers, DeclaredUnits& units);
 
 }  // namespace wirepack

@@ -30,7 +30,8 @@ Lens lens(double disc, double circle, double distance) {
   if (distance <= circle - disc) return {pi * disc * disc, 0};
   if (distance <= disc - circle) return {pi * circle * circle, pi * circle * circle * distance};
   const double far = segment(circle, half_angle(circle, disc, distance));
-  // The moments of both segments about their own centres are 2/3 of the cubed half chord, and cancel.
+  // The moments of both segments about their own centres are 2/3 of the cubed half chord, and
+  // cancel.
   return {segment(disc, half_angle(disc, circle, distance)) + far, distance * far};
 }
 

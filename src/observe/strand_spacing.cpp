@@ -46,8 +46,8 @@ Section section(const RodState& state, const Vec3& normal) {
   return cut;
 }
 
-// Two points share an edge of the Delaunay triangulation when a circle through both has no other one
-// inside: when an interval of places of its centre, on the line half-way between them, is left.
+// Two points share an edge of the Delaunay triangulation when a circle through both has no other
+// one inside: when an interval of places of its centre, on the line half-way between them, is left.
 bool is_delaunay_edge(const Eigen::Matrix2Xd& p, Index i, Index j) {
   const Vec2 middle = (p.col(i) + p.col(j)) / 2, half = (p.col(j) - p.col(i)) / 2;
   const Vec2 normal = Vec2(-half.y(), half.x()).normalized();

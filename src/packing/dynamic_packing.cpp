@@ -91,9 +91,9 @@ HeldUnknowns all_but_node(const RodState& rod, Index node) {
 }
 
 // Splits the inlet edge of a moving wire. The new node starts at rest between its neighbours, or it
-// would swing. The derivatives of the new node lie between those of the node behind it and of the wire
-// that comes out of the nozzle; the spin of the edge next to the nozzle between those of the old edge
-// and of the clamp.
+// would swing. The derivatives of the new node lie between those of the node behind it and of the
+// wire that comes out of the nozzle; the spin of the edge next to the nozzle between those of the
+// old edge and of the clamp.
 void split_moving_inlet(DynamicState& state, PackingModel& model) {
   follow_nodes(state);
   const double share = model.wire.edge_length / state.rod.inlet_rest_length;
@@ -115,8 +115,8 @@ bool is_first_coil(const Scenario& scenario, double length) {
   return length <= first_coil_length(scenario.cavity);
 }
 
-// The straight wire is a saddle under compression; until the first coil has formed, it is pushed off
-// its axis before every increment, like a bent cantilever, so that next to no energy comes in.
+// The straight wire is a saddle under compression; until the first coil has formed, it is pushed
+// off its axis before every increment, like a bent cantilever, so that next to no energy comes in.
 void perturb(const Scenario& scenario, DynamicState& state, std::uint64_t& random_state) {
   if (!is_first_coil(scenario, total_rest_length(state.rod, scenario.wire))) return;
   Random random(random_state);

@@ -7,15 +7,15 @@ namespace wirepack {
 
 namespace {
 
-// Far below where vibrations grow by themselves (gear_values.hpp): at 0.35 the energies of a packing
-// with friction miss by up to 1 % of the work, at 0.2 by 0.03 % (R = 5).
+// Far below where vibrations grow by themselves (gear_values.hpp): at 0.35 the energies of a
+// packing with friction miss by up to 1 % of the work, at 0.2 by 0.03 % (R = 5).
 constexpr double auto_share = 0.2;
 
 // Where the growth per step is 2e-4 without damping.
 constexpr double longest_share = 0.5;
 
-// Highest frequencies of the discrete wire. Bending: 16 B / (m l^3) for a node of mass m among equal
-// edges; the joints next to the nozzle are stiffer, 39 for an inlet edge of l/2. Contact: six
+// Highest frequencies of the discrete wire. Bending: 16 B / (m l^3) for a node of mass m among
+// equal edges; the joints next to the nozzle are stiffer, 39 for an inlet edge of l/2. Contact: six
 // neighbouring strands that move against each other, or the wall and five.
 double highest_frequency_of(const Scenario& scenario) {
   const Stiffness stiff = stiffness(scenario.wire);

@@ -2,15 +2,15 @@
 
 #include <utility>
 
+#include "wirepack/solve/stability.hpp"
+
 namespace wirepack {
 
 namespace {
 
-// A wire that slides along itself slips by what is fed. A new contact that has slipped by this more, over
-// the wire radius, was missed.
+// A wire that slides along itself slips by what is fed. A new contact that has slipped by this
+// more, over the wire radius, was missed.
 constexpr double missed_slip = 0.25;
-// A saddle that has several directions down is left along one after the other.
-constexpr int most_saddles = 6;
 
 SlipPotential::Joined join_friction(PackingModel& model, const RodState& before,
                                     const RodState& rod, const Observation& observed) {
@@ -48,8 +48,8 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
     const auto joined = join_friction(model, before, rod, found.observed);
     if (joined.count > 0) {
       if (repeated || !joined.missed) continue;
-      // Nothing held this contact while it formed, so it slid off and presses on nothing now. It is held
-      // where it formed until its normal force is known, and then as its friction allows.
+      // Nothing held this contact while it formed, so it slid off and presses on nothing now. It is
+      // held where it formed until its normal force is known, and then as its friction allows.
       repeated = true;
       rod = fed;
       model.friction.hold_joined(joined.count);

@@ -13,12 +13,13 @@ namespace wirepack {
 
 namespace {
 
-// The discretization error of the force at the nozzle grows with the cube of the inlet edge's length, so the
-// edge is split early. The force then has the same mean over a
-// cycle as the change of energy, and at 0.55 edge lengths it is that mean (moments that grow linearly
-// from the clamp: it is wrong by YI kappa'^2 l^2 (x^2 / 12 + x / 18 - 1 / 72) for an inlet edge x l).
+// The discretization error of the force at the nozzle grows with the cube of the inlet edge's
+// length, so the edge is split early. The force then has the same mean over a cycle as the change
+// of energy, and at 0.55 edge lengths it is that mean (moments that grow linearly from the clamp:
+// it is wrong by YI kappa'^2 l^2 (x^2 / 12 + x / 18 - 1 / 72) for an inlet edge x l).
 constexpr double longest_inlet = 1.1;
-// A short edge that presses on strands can be too stiff to come to rest. The split may wait till then.
+// A short edge that presses on strands can be too stiff to come to rest. The split may wait till
+// then.
 constexpr double latest_split = 1.5;
 constexpr double inlet_of_whole_edges = 0.6;
 
@@ -110,8 +111,8 @@ SlipWork start_friction(PackingModel& model, const PackingProgress& progress) {
   return start_friction(model, progress.rod, observe(model, progress.rod), progress.slip_memory);
 }
 
-// Splits an inlet edge that has grown long. Where the new short edge finds no equilibrium the split is
-// undone, and waits till the edge is longer yet; only the longest must be split.
+// Splits an inlet edge that has grown long. Where the new short edge finds no equilibrium the split
+// is undone, and waits till the edge is longer yet; only the longest must be split.
 Start split_inlet_if_due(PackingModel& model, Trial& trial) {
   PackingProgress& next = trial.progress;
   Start start{next.last.energy_total, next.last.force};
@@ -151,7 +152,8 @@ void perturb(const PackingModel& model, PackingProgress& next) {
   next.random_state = random.state();
 }
 
-// Lets wire in: the inlet edge grows, or, by a whole edge without friction, the wire slides along itself.
+// Lets wire in: the inlet edge grows, or, by a whole edge without friction, the wire slides along
+// itself.
 Fed feed(PackingModel& model, double length, Trial& trial) {
   perturb(model, trial.progress);
   const bool slides = feeds_whole_edges(model) && is_whole_edge(length, model.wire);

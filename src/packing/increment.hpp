@@ -8,8 +8,9 @@
 
 namespace wirepack {
 
-// An increment that was tried. The progress it started from stays as it was; the model keeps what only the
-// next start of friction and the next state replace: contacts with friction, and neighbor lists.
+// An increment that was tried. The progress it started from stays as it was; the model keeps what
+// only the next start of friction and the next state replace: contacts with friction, and neighbor
+// lists.
 struct Trial {
   PackingProgress progress;           // after the increment; useless where it failed
   std::optional<StopReason> failure;  // no equilibrium was found, or strands passed
@@ -17,8 +18,8 @@ struct Trial {
   SolverWork work;
 };
 
-// One increment of at most `longest` times the configured length, in five stages: split the inlet edge,
-// feed, equilibrate, account for the work, record the row.
+// One increment of at most `longest` times the configured length, in five stages: split the inlet
+// edge, feed, equilibrate, account for the work, record the row.
 Trial attempt_increment(PackingModel& model, const PackingProgress& from, double longest);
 
 // Rest length of the inlet edge at which whole edges are fed.

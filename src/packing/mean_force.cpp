@@ -38,10 +38,13 @@ std::optional<double> mean_force(double edge_length, std::span<const ForceReadin
   return sum / edge_length;
 }
 
-std::vector<MeanForce> mean_forces(double edge_length, const std::vector<HistoryRow>& history) {
+std::vector<MeanForce> mean_forces(const Scenario& scenario,
+                                   const std::vector<HistoryRow>& history) {
+  const double edge_length = scenario.wire.edge_length;
   std::vector<MeanForce> means;
   std::vector<ForceReading> recent;
   for (const HistoryRow& row : history) {
+    if (row.inserted_length <= first_coil_length(scenario.cavity)) continue;
     note_force(edge_length, row, recent);
     const std::optional<double> mean = mean_force(edge_length, recent);
     if (mean) means.push_back({row.packing_density, *mean});

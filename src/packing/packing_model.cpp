@@ -12,8 +12,8 @@ namespace wirepack {
 
 namespace {
 
-// The Hessian has negative eigenvalues on the way down; this much of it nearly always leaves a positive
-// model.
+// The Hessian has negative eigenvalues on the way down; this much of it nearly always leaves a
+// positive model.
 constexpr double curvature_exactness = 0.7;
 
 // What settles by itself when the wire has slid along itself, and how well, over the tolerance of

@@ -19,8 +19,8 @@ QuatOf<T> cayley_rotation(const Triple<T>& v) {
   return {w, w * u.x, w * u.y, w * u.z};
 }
 
-// What a torque b on a body that the rotation above has turned is by v: A^T b, where the rotation of
-// v + dv is a turn by A dv after that of v; A = (I + hat(v) / 2) / (1 + v.v / 4).
+// What a torque b on a body that the rotation above has turned is by v: A^T b, where the rotation
+// of v + dv is a turn by A dv after that of v; A = (I + hat(v) / 2) / (1 + v.v / 4).
 template <class T>
 Triple<T> by_cayley_vector(const Triple<T>& v, const Triple<T>& b) {
   const Triple<T> u = T(0.5) * v;

@@ -17,12 +17,12 @@ namespace wirepack {
 
 namespace {
 
-// A round that has gone so much of the guard's distance and tries to go beyond it ends: further steps
-// would only bounce off the guard.
+// A round that has gone so much of the guard's distance and tries to go beyond it ends: further
+// steps would only bounce off the guard.
 constexpr double nearly_all = 0.9;
 
-// Differences of energies that are smaller than this share of the energy are rounded too much to guide a
-// line search; those of the last steps are.
+// Differences of energies that are smaller than this share of the energy are rounded too much to
+// guide a line search; those of the last steps are.
 constexpr double resolved_share = 1e-13;
 
 // Tolerance of each unknown, so that a residual is one number.
@@ -74,11 +74,11 @@ Preconditioner preconditioner_at(const FrameChart& chart, const EnergyTerms& ene
   return std::move(*result);
 }
 
-// Height of points above the start of a round. Far apart it is the difference of their energies. Close
-// to a minimum that difference drowns in round-off: it is f^2 / (2 k), f what is left of a force and k
-// the stiffness of a spring, while the energy of all else stays. Between points that close the
-// trapezoidal rule for the work of the gradient is exact but for third derivatives, and its
-// round-off is that of the forces.
+// Height of points above the start of a round. Far apart it is the difference of their energies.
+// Close to a minimum that difference drowns in round-off: it is f^2 / (2 k), f what is left of a
+// force and k the stiffness of a spring, while the energy of all else stays. Between points that
+// close the trapezoidal rule for the work of the gradient is exact but for third derivatives, and
+// its round-off is that of the forces.
 class Heights {
  public:
   double above_start(const Energy& energy, double guard, const Eigen::VectorXd& step,

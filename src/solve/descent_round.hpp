@@ -13,9 +13,9 @@ struct LowestPoint {
   double inlet_length_force = 0;
 };
 
-// Goes down from `lowest` with one chart, one factor and one memory of L-BFGS; `lowest` is the lowest
-// point afterwards. Returns what the energy has lost, the guard's included; throws NumericalFailure
-// where the start has no finite energy.
+// Goes down from `lowest` with one chart, one factor and one memory of L-BFGS; `lowest` is the
+// lowest point afterwards. Returns what the energy has lost, the guard's included; throws
+// NumericalFailure where the start has no finite energy.
 double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const EnergyTerms& energy,
                          const EquilibriumOptions& options, double guard_distance,
                          int max_evaluations, SolverWork& work);

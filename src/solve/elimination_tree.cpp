@@ -13,8 +13,8 @@ using List = std::vector<int>;
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-// A graph by the neighbors of each vertex, itself among them and sorted (Eigen's ordering wants both):
-// those of v are list[start[v]] ... list[start[v + 1] - 1].
+// A graph by the neighbors of each vertex, itself among them and sorted (Eigen's ordering wants
+// both): those of v are list[start[v]] ... list[start[v + 1] - 1].
 struct Graph {
   List start, list;
 
@@ -86,8 +86,8 @@ List minimum_degree_order(const Graph& graph) {
   return {order.indices().data(), order.indices().data() + graph.size()};
 }
 
-// Liu's elimination tree: the parent of a vertex is the first later one that it is coupled to when all
-// before it are eliminated; -1 for a root.
+// Liu's elimination tree: the parent of a vertex is the first later one that it is coupled to when
+// all before it are eliminated; -1 for a root.
 List parents_in(const List& order, const Graph& graph) {
   const int n = graph.size();
   List place(at(n)), parent(at(n), -1), ancestor(at(n), -1);
@@ -143,7 +143,8 @@ void put_subtrees_together(List& order, List& parent) {
   }
 }
 
-// Of each vertex, in the order of elimination: those after it that it is coupled to when its turn comes.
+// Of each vertex, in the order of elimination: those after it that it is coupled to when its turn
+// comes.
 std::vector<List> fill_patterns(const List& order, const List& parent, const Graph& graph) {
   const int n = graph.size();
   List place(at(n)), seen(at(n), -1);

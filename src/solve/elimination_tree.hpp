@@ -7,17 +7,17 @@
 
 namespace wirepack {
 
-/// Neighbouring columns of a Cholesky factor that are eliminated together and have the same rows below
-/// their triangle. Numbers are places in the order of elimination.
+/// Neighbouring columns of a Cholesky factor that are eliminated together and have the same rows
+/// below their triangle. Numbers are places in the order of elimination.
 struct Front {
   Index first_column, columns;
   std::vector<int> rows;  ///< below the columns, in growing order
   int parent;             ///< the front that has the first of its rows; -1: it has none
 };
 
-/// How a sparse symmetric matrix is eliminated: order of the unknowns, and the fronts of its factor, each
-/// of which waits for its children alone. Some subtrees, which share no column, are told apart, so that
-/// threads can take one each; the split depends on the matrix alone.
+/// How a sparse symmetric matrix is eliminated: order of the unknowns, and the fronts of its
+/// factor, each of which waits for its children alone. Some subtrees, which share no column, are
+/// told apart, so that threads can take one each; the split depends on the matrix alone.
 struct EliminationTree {
   std::vector<int> order;                  ///< place in the elimination -> unknown
   std::vector<Front> fronts;               ///< children before their parents
@@ -29,8 +29,8 @@ struct EliminationTree {
 
 /// Eigen's approximate minimum degree (Amestoy, Davis and Duff 1996) on groups of columns with one
 /// pattern: the unknowns of a node are coupled to the same others, so that is a tenth of the work.
-/// Fronts that follow on each other are taken together where that adds few zeros. `lower` is a lower
-/// triangle with sorted columns.
+/// Fronts that follow on each other are taken together where that adds few zeros. `lower` is a
+/// lower triangle with sorted columns.
 EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower);
 
 }  // namespace wirepack

@@ -12,11 +12,11 @@ namespace wirepack {
 
 namespace {
 
-// A round that the collision check takes back is repeated with half the guard's distance, down to this
-// part of it.
+// A round that the collision check takes back is repeated with half the guard's distance, down to
+// this part of it.
 constexpr double smallest_distance = 1.0 / 16;
-// The search ends after so many rounds without gain. A round gains where it brings the residual down by a
-// tenth, or the energy by more than its round-off.
+// The search ends after so many rounds without gain. A round gains where it brings the residual
+// down by a tenth, or the energy by more than its round-off.
 constexpr int most_fruitless_rounds = 3;
 constexpr double residual_gain = 0.9, energy_gain = 1e-14;
 

@@ -11,12 +11,12 @@ namespace wirepack {
 
 namespace {
 
-// Columns of a front that are eliminated at a time, and rows or columns that a thread takes at a time:
-// fixed, as the sums of a product depend on its size.
+// Columns of a front that are eliminated at a time, and rows or columns that a thread takes at a
+// time: fixed, as the sums of a product depend on its size.
 constexpr Index block_columns = 48;
 constexpr Index tile = 96;
-// Memory is Eigen's throughout, for it is aligned: small products of Eigen start their lanes at an aligned
-// place, so that their rounding would depend on where the heap had room.
+// Memory is Eigen's throughout, for it is aligned: small products of Eigen start their lanes at an
+// aligned place, so that their rounding would depend on where the heap had room.
 
 // The lower triangle of the matrix in the order of elimination; rows of a column are not sorted.
 template <class Entry>

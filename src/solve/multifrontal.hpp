@@ -7,17 +7,17 @@
 
 namespace wirepack {
 
-/// Columns of a Cholesky factor, front by front: those of front f start at `start[f]`, each with an entry
-/// for every column of the front (those above the diagonal mean nothing) and every row below.
+/// Columns of a Cholesky factor, front by front: those of front f start at `start[f]`, each with an
+/// entry for every column of the front (those above the diagonal mean nothing) and every row below.
 template <class Entry>
 struct FrontColumns {
   std::vector<Index> start;
   Eigen::Matrix<Entry, Eigen::Dynamic, 1> entries;
 };
 
-/// Multifrontal factorization (Duff and Reid 1983): each front takes in what its children leave for the
-/// rows below them, eliminates its columns and leaves the rest to its parent. Computed in Entry's
-/// precision; the same bits for any number of threads. Nothing if a pivot is not positive.
+/// Multifrontal factorization (Duff and Reid 1983): each front takes in what its children leave for
+/// the rows below them, eliminates its columns and leaves the rest to its parent. Computed in
+/// Entry's precision; the same bits for any number of threads. Nothing if a pivot is not positive.
 template <class Entry>
 std::optional<FrontColumns<Entry>> factored(const EliminationTree& tree,
                                             const Eigen::SparseMatrix<double>& lower);

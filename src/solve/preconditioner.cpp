@@ -10,9 +10,9 @@ namespace wirepack {
 
 namespace {
 
-// Rounding moves the rows of a model by its part of their diagonals: good enough where that is not far
-// above the smallest eigenvalue, the shift. A few stiff rows, those of a short inlet edge, only move
-// themselves.
+// Rounding moves the rows of a model by its part of their diagonals: good enough where that is not
+// far above the smallest eigenvalue, the shift. A few stiff rows, those of a short inlet edge, only
+// move themselves.
 bool single_precision_serves(const Eigen::SparseMatrix<double>& lower, double smallest) {
   const double rounding = 6e-8;
   return rounding * lower.diagonal().mean() < 10 * smallest;

@@ -10,8 +10,8 @@ double angle_shift(const EquilibriumOptions& options) {
   return options.shift * radian * radian;
 }
 
-// Shift that stands to the mean of the diagonal as the shifts of places and of angles stand, in the mean,
-// to their diagonals: places and angles have other units, and only such ratios know none.
+// Shift that stands to the mean of the diagonal as the shifts of places and of angles stand, in the
+// mean, to their diagonals: places and angles have other units, and only such ratios know none.
 double typical_shift(const FrameChart& chart, const Eigen::SparseMatrix<double>& lower,
                      const EquilibriumOptions& options) {
   const Eigen::VectorXd diagonal = lower.diagonal();

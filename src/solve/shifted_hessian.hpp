@@ -7,8 +7,8 @@
 
 namespace wirepack {
 
-// Lower triangle of the curvature model at the chart's reference, with the shift of the options on its
-// diagonal. `exactness`: see CurvatureModel.
+// Lower triangle of the curvature model at the chart's reference, with the shift of the options on
+// its diagonal. `exactness`: see CurvatureModel.
 Eigen::SparseMatrix<double> shifted_hessian(const FrameChart& chart, const EnergyTerms& energy,
                                             const EquilibriumOptions& options, double exactness);
 

@@ -15,14 +15,12 @@ namespace wirepack {
 
 namespace {
 
-// An eigenvalue below this is one of a saddle: a load that is a hundredth of a per cent too high. Rigid
-// motions that cost nothing have eigenvalues of zero, but for rounding.
+// An eigenvalue below this is one of a saddle: a load that is a hundredth of a per cent too high.
+// Rigid motions that cost nothing have eigenvalues of zero, but for rounding.
 constexpr double unstable_below = -1e-4;
 // Of the shift that preconditioners have, which is larger than the curvature of slow bending modes.
 constexpr double shift_share = 1e-4;
 constexpr int lanczos_steps = 40;
-// So often a saddle is left; one that has several directions down is left along one after the other.
-constexpr int most_saddles = 6;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -61,8 +59,8 @@ Eigenpair lowest_eigenpair(const Sparse& hessian, Preconditioner& preconditioner
   return {solver.eigenvalues()[0], x};
 }
 
-// Curvature of the energy along a direction v of the chart, v . H v, by central differences of the gradient:
-// the model of the Hessian leaves out what a term does not know.
+// Curvature of the energy along a direction v of the chart, v . H v, by central differences of the
+// gradient: the model of the Hessian leaves out what a term does not know.
 double curvature_along(const Eigen::VectorXd& direction, const FrameChart& chart,
                        const HeldUnknowns& held, const EnergyTerms& energy) {
   const RodState& reference = chart.reference();
@@ -82,8 +80,8 @@ double curvature_along(const Eigen::VectorXd& direction, const FrameChart& chart
   return (slope_at(spacing) - slope_at(-spacing)) / (2 * spacing);
 }
 
-// Moves the state down along the direction, on either side, far enough that it is no equilibrium any
-// more. Returns false where no such way leads down.
+// Moves the state down along the direction, on either side, far enough that it is no equilibrium
+// any more. Returns false where no such way leads down.
 bool move_down(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
                const Eigen::VectorXd& direction, double length) {
   const FrameChart chart(state, held);

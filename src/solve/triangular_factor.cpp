@@ -8,7 +8,8 @@ namespace wirepack {
 
 namespace {
 
-// below -= block x, for K columns of a block at a time: what each pass over `below` costs is shared.
+// below -= block x, for K columns of a block at a time: what each pass over `below` costs is
+// shared.
 template <int K, class Entry>
 [[gnu::always_inline]] inline void subtract_columns(const Entry* block, Index stride, Index rows,
                                                     const double* x, double* below) {
@@ -41,8 +42,8 @@ template <int K, class Entry>
 
 // A triangle is solved number after number; a narrow one leaves the work to the rows below it.
 constexpr Index panel_columns = 8;
-// What a thread takes of the rows below a front, or of its columns; a front is shared out from so many
-// entries on.
+// What a thread takes of the rows below a front, or of its columns; a front is shared out from so
+// many entries on.
 constexpr Index row_tile = 256, column_tile = 16, shared_entries = 20000;
 
 // Calls f.template operator()<K>(c) for columns c of `start` to `end`, K of them at a time.

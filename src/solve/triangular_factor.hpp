@@ -6,8 +6,9 @@
 
 namespace wirepack {
 
-/// Lower triangular factor L of a permuted matrix, for its two solves. Entries may be in single precision
-/// (half the memory traffic), sums are in double, so that both solves are exactly each other's transpose.
+/// Lower triangular factor L of a permuted matrix, for its two solves. Entries may be in single
+/// precision (half the memory traffic), sums are in double, so that both solves are exactly each
+/// other's transpose.
 template <class Entry>
 class TriangularFactor {
  public:

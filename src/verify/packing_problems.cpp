@@ -87,8 +87,8 @@ RodParams hoop_wire(double edge_length) {
   return params;
 }
 
-// A coil along the equator, free at both ends: Eshelby's force YI / (2 rho^2) at the ends presses it
-// to the wall, which gives way by YI / (2 rho^3) over its stiffness.
+// A coil along the equator, free at both ends: Eshelby's force YI / (2 rho^2) at the ends presses
+// it to the wall, which gives way by YI / (2 rho^3) over its stiffness.
 double coil_energy(Index edges, const RodParams& params, const SphericalCavity& cavity) {
   const double free = cavity.radius - params.radius;
   const double rho = free + stiffness(params).bend / (2 * free * free * free) / wall_stiffness;

@@ -1,5 +1,5 @@
-// What an edge of wire costs at some densities and sizes of the sphere, and what threads bring: the wire
-// radius is 1, low torsion, fed by whole edges. The run up to the density is not timed.
+// What an edge of wire costs at some densities and sizes of the sphere, and what threads bring: the
+// wire radius is 1, low torsion, fed by whole edges. The run up to the density is not timed.
 #include <benchmark/benchmark.h>
 #include <chrono>
 #include <ctime>

@@ -3,9 +3,9 @@
 
     table.py RESULT.json...
 
-A ratio is reference / measured: above 1 wirepack is faster, or needs less. What an edge of wire costs
-(edge_cost) is a table of its own, with the power of the number of nodes that fits it; what threads bring
-(edges_by_threads) is a line.
+A ratio is reference / measured: above 1 wirepack is faster, or needs less. What an edge of wire
+costs (edge_cost) is a table of its own, with the power of the number of nodes that fits it; what
+threads bring (edges_by_threads) is a line.
 """
 
 import csv
@@ -40,7 +40,9 @@ def read_results(path):
             continue
         measures = {k: v for k, v in entry.items() if k not in STANDARD}
         manual = entry["run_name"].endswith("/manual_time")
-        measures["seconds"] = entry["real_time" if manual else "cpu_time"] * SECONDS[entry["time_unit"]]
+        measures["seconds"] = (
+            entry["real_time" if manual else "cpu_time"] * SECONDS[entry["time_unit"]]
+        )
         measures["label"] = entry.get("label", "")
         results[name] = measures
     return results
@@ -116,7 +118,10 @@ def print_edge_costs(costs):
     ]
     print()
     if powers:
-        print("Per edge of wire fed. CPU time grows with this power of the nodes: " + ", ".join(powers))
+        print(
+            "Per edge of wire fed. CPU time grows with this power of the nodes: "
+            + ", ".join(powers)
+        )
         print()
 
 
@@ -127,7 +132,11 @@ def print_thread_gains(times):
     """times: number of threads -> seconds of the clock."""
     gains = [f"{times[1] / t:.2f} times as fast by {n}" for n, t in sorted(times.items()) if n > 1]
     if 1 in times and gains:
-        print("The same increments by threads: " + ", ".join(gains) + " as by one (seconds of the clock)")
+        print(
+            "The same increments by threads: "
+            + ", ".join(gains)
+            + " as by one (seconds of the clock)"
+        )
         print()
 
 

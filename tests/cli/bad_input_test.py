@@ -43,7 +43,10 @@ class BadInput(ProgramTest):
             ("[packing]\nseed = -1", "from 0 to"),
             ("[minimizer]\nmemory = 3000000000", "minimizer.memory"),
             ("[stop]\nincrements = 0", "stop.increments = 0: must be at least 1"),
-            ("[stop]\ndensity = 1.5", "must be below 1 and above the density of the first two edges"),
+            (
+                "[stop]\ndensity = 1.5",
+                "must be below 1 and above the density of the first two edges",
+            ),
         ]:
             with self.subTest(text):
                 self.refuse_config(text, allowed)
@@ -62,7 +65,10 @@ class BadInput(ProgramTest):
 
     def test_wrong_types(self):
         for text, allowed in [
-            ('[cavity]\nradius = "5"', "run.toml:2:1: cavity.radius = \"5\": must be a finite number"),
+            (
+                '[cavity]\nradius = "5"',
+                'run.toml:2:1: cavity.radius = "5": must be a finite number',
+            ),
             ("[cavity]\nradius = [5]", "must be a finite number"),
             ("[cavity]\nradius = 2020-01-01", "must be a finite number"),
             ("[contact]\nenabled = 1", "must be true or false"),
@@ -97,7 +103,10 @@ class BadInput(ProgramTest):
         for text, allowed in [
             ("nozzle_tilt = 1", "imperfection.nozzle_tilt = 1: must be between 0 and 0.5 (rad)"),
             ("nozzle_offset = -1", "imperfection.nozzle_offset = -1: must be between 0 and"),
-            ("natural_curvature = 2", "imperfection.natural_curvature = 2: must be between 0 and 1"),
+            (
+                "natural_curvature = 2",
+                "imperfection.natural_curvature = 2: must be between 0 and 1",
+            ),
             ("nozle_tilt = 1", "did you mean imperfection.nozzle_tilt?"),
             ("tilt = 1", "unknown key; [imperfection] has natural_curvature, nozzle_offset"),
         ]:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Results that are damaged, or made to do harm: told in one line, with exit code 5, and nothing else."""
+"""Results that are damaged, or made to do harm: one line, exit code 5, and nothing else."""
 
 import os
 import random
@@ -87,7 +87,9 @@ class Foreign(ResultTest):
         changes = {
             "soft link": relink("history/force", h5py.SoftLink("/history/scaled_force")),
             "external link": relink("history", h5py.ExternalLink("whole.h5", "/history")),
-            "a frame elsewhere": relink("frames/000030", h5py.ExternalLink("whole.h5", "/frames/000030")),
+            "a frame elsewhere": relink(
+                "frames/000030", h5py.ExternalLink("whole.h5", "/frames/000030")
+            ),
             "a link that nobody needs": lambda f: f.__setitem__("x", h5py.SoftLink("/nowhere")),
             "external file": lambda f: external(f, "history/force", (increments,), secret),
             "external fifo": lambda f: external(f, "history/force", (increments,), "fifo"),
@@ -126,7 +128,9 @@ class Damage(ResultTest):
 
         def text(file):
             config = file["provenance"].attrs["config"]
-            file["provenance"].attrs["config"] = numpy.bytes_(config.replace(b"radius = 4", b"radius = 5"))
+            file["provenance"].attrs["config"] = numpy.bytes_(
+                config.replace(b"radius = 4", b"radius = 5")
+            )
 
         changes = {
             "history": add("history/energy_bend", 12),
@@ -161,7 +165,10 @@ class Damage(ResultTest):
         code, expected, err = self.run_program("analyze", "whole.h5", "--json")
         self.assertEqual(code, 0, err)
         choice = random.Random(3)
-        damages = [(at, bytes([data[at] ^ 1 << choice.randrange(8)])) for at in choice.sample(range(8000), 150)]
+        damages = [
+            (at, bytes([data[at] ^ 1 << choice.randrange(8)]))
+            for at in choice.sample(range(8000), 150)
+        ]
         damages += [(512 * k, bytes(512)) for k in choice.sample(range(len(data) // 512), 60)]
         noticed = 0
         for at, new in damages:
@@ -184,7 +191,9 @@ class Damage(ResultTest):
         self.edit(stop_early)
         code, _, err = self.resume(*longer)
         self.assertEqual(code, 0, err)
-        self.assertIn("bad.h5: is damaged: its checksum does not fit; the checkpoint before is taken", err)
+        self.assertIn(
+            "bad.h5: is damaged: its checksum does not fit; the checkpoint before is taken", err
+        )
         self.assertEqual(differing(self.folder / "longer.h5", self.bad), [])
 
         def both(file):
@@ -249,7 +258,9 @@ class Believed(ResultTest):
             "an increment twice": put("history/increment", 8, 8),
             "edges that are not there": put("checkpoint/slip_memory", (0, 0), 1e9),
             "a part of nothing": lambda f: f["checkpoint"].attrs.modify("substep", 0.0),
-            "a checkpoint of another row": lambda f: f["checkpoint/last"].attrs.modify("increment", 17.0),
+            "a checkpoint of another row": lambda f: f["checkpoint/last"].attrs.modify(
+                "increment", 17.0
+            ),
         }
         for what, change in changes.items():
             with self.subTest(what):
@@ -283,7 +294,9 @@ class Believed(ResultTest):
         self.assertEqual(code, 0, err)
         names = differing(self.folder / "longer.h5", self.bad)
         # but for the frame at its first end, which is one more and puts off the next ones
-        self.assertEqual([n for n in names if not n.startswith("frames/") and "frame_density" not in n], [])
+        self.assertEqual(
+            [n for n in names if not n.startswith("frames/") and "frame_density" not in n], []
+        )
 
 
 if __name__ == "__main__":

@@ -66,11 +66,18 @@ class DiskFull(ProgramTest):
             subprocess.run(["umount", disk], check=False)
 
     def test_a_disk_that_is_full_when_a_run_goes_on(self):
-        code, _, err = self.run_program("run", "run.toml", "-o", "out.h5", "--set", "stop.increments=30")
+        code, _, err = self.run_program(
+            "run", "run.toml", "-o", "out.h5", "--set", "stop.increments=30"
+        )
         self.assertEqual(code, 0, err)
         before = (self.folder / "out.h5").read_bytes()
         code, _, err = self.run_program(
-            "run", "run.toml", "-o", "out.h5", "--resume", preexec_fn=limit_file_size(len(before) // 2)
+            "run",
+            "run.toml",
+            "-o",
+            "out.h5",
+            "--resume",
+            preexec_fn=limit_file_size(len(before) // 2),
         )
         self.assertEqual(code, 5, err)
         self.assertIn("out.h5: cannot be written: File too large", err)

@@ -1,4 +1,4 @@
-"""wirepack export: what it writes is read by other people's programs and holds the right numbers."""
+"""wirepack export: what it writes is read by other people's programs, with the right numbers."""
 
 import csv
 import ctypes
@@ -124,7 +124,9 @@ class Export(ProgramTest):
 
     def export(self, name, *arguments, result="run.h5", to=None):
         target = to or "out" + ENDINGS[name]
-        code, out, err = self.run_program("export", result, "--format", name, "-o", target, *arguments)
+        code, out, err = self.run_program(
+            "export", result, "--format", name, "-o", target, *arguments
+        )
         self.assertEqual(code, 0, err)
         self.assertEqual(out, f"{target}\n")
         return self.folder / target
@@ -220,7 +222,9 @@ class Export(ProgramTest):
         replace_last_frame(self.folder / "run.h5", straight_wire(6, 12))
         for name, reader in (("stl", vtk.vtkSTLReader()), ("ply", vtk.vtkPLYReader())):
             surface = read_vtk(reader, self.export(name))
-            self.assertAlmostEqual(tube_volume(surface), math.pi * 6, delta=1e-4)  # single precision
+            self.assertAlmostEqual(
+                tube_volume(surface), math.pi * 6, delta=1e-4
+            )  # single precision
             self.assertEqual(open_edges(surface), 0)
 
     def test_surface_of_an_arc_has_the_volume_of_a_torus(self):
@@ -260,7 +264,11 @@ class Export(ProgramTest):
     def test_voxels_of_known_wires_have_their_volume(self):
         for nodes, length, beyond in (
             (straight_wire(6, 12), 6, 1),
-            (straight_wire(5, 50), 5, 1),  # edges much shorter than the radius: flat ends all the same
+            (
+                straight_wire(5, 50),
+                5,
+                1,
+            ),  # edges much shorter than the radius: flat ends all the same
             # of a part of a torus, the centre of mass is further out than that of its axis
             (arc_wire(2.8, 1.5 * math.pi, 60), 2.8 * 1.5 * math.pi, 1 + 1 / (2 * 2.8) ** 2),
         ):
@@ -270,7 +278,9 @@ class Export(ProgramTest):
             self.assertAlmostEqual(origin[0], -4 + size / 2)
             # probed at 20 points to the radius
             self.assertAlmostEqual(solid.sum() * size**3 / (math.pi * length), 1, delta=2e-3)
-            z, y, x = numpy.meshgrid(*3 * [origin[0] + size * numpy.arange(len(solid))], indexing="ij")
+            z, y, x = numpy.meshgrid(
+                *3 * [origin[0] + size * numpy.arange(len(solid))], indexing="ij"
+            )
             weights = solid / solid.sum()
             centre = [(weights * axis).sum() for axis in (x, y, z)]
             numpy.testing.assert_allclose(centre, nodes_centre(nodes) * beyond, atol=5e-3)
@@ -300,7 +310,7 @@ class Export(ProgramTest):
         units = notes[-1].removeprefix("# units: ").split(",")
         with h5py.File(self.folder / "run.h5") as file:
             self.assertEqual(set(rows[0]), set(file["history"]))
-            for (name, unit) in zip(rows[0], units):
+            for name, unit in zip(rows[0], units):
                 column = file["history"][name]
                 self.assertEqual(column.attrs["unit"], unit)
                 self.assertEqual([float(row[name]) for row in rows], column[()].tolist())
@@ -338,7 +348,16 @@ class Export(ProgramTest):
             ("stl,ply", "run.h5", "--format", "obj", "-o", "out.obj"),
             (".stl", "run.h5", "--format", "stl", "-o", "out.ply"),
             ("no such frame", "run.h5", "--format", "stl", "-o", "out.stl", "--frame", "100000"),
-            ("its frames are from", "run.h5", "--format", "stl", "-o", "out.stl", "--density", "0.99"),
+            (
+                "its frames are from",
+                "run.h5",
+                "--format",
+                "stl",
+                "-o",
+                "out.stl",
+                "--density",
+                "0.99",
+            ),
             ("--density", "run.h5", "--format", "stl", "-o", "out.stl", "--density", "7"),
             ("no frames", "run.h5", "--format", "csv", "-o", "out.csv", "--frame", "1"),
             ("mhd", "run.h5", "--format", "stl", "-o", "out.stl", "--voxel", "1"),

@@ -29,7 +29,9 @@ checkpoint_every_seconds = 0
 
 class Fit(ProgramTest):
     def fit(self, points, model, *more, code=0):
-        returned, out, err = self.run_program("fit", points, "--model", model, "-o", "shape.toml", "--force", *more)
+        returned, out, err = self.run_program(
+            "fit", points, "--model", model, "-o", "shape.toml", "--force", *more
+        )
         self.assertEqual(returned, code, err)
         return out, err
 
@@ -108,13 +110,18 @@ class Fit(ProgramTest):
         self.refuse("", "holds no points")
         self.refuse("1,2\n3,4\n", "has 2 columns; must be x, y, z")
         self.refuse("1,2,3,0,0\n", "column 5 (sigma) = 0: must be positive")
-        self.refuse("0,0,0,1\n1,0,0,1\n2,1,0,1\n3,1,0,1\n", "shorter than the way between the points", "line 1 and line 3")
+        self.refuse(
+            "0,0,0,1\n1,0,0,1\n2,1,0,1\n3,1,0,1\n",
+            "shorter than the way between the points",
+            "line 1 and line 3",
+        )
         self.refuse(b"\x89HDF\x00", "is not a text file")
         self.refuse(good, "--intervals is for --model spline", more=("--intervals", "3"))
 
     def test_a_closed_loop_and_a_straight_line_have_a_clear_answer(self):
         loop = "\n".join(
-            f"{5 * math.cos(2 * math.pi * i / 90)} {5 * math.sin(2 * math.pi * i / 90)} 0" for i in range(90)
+            f"{5 * math.cos(2 * math.pi * i / 90)} {5 * math.sin(2 * math.pi * i / 90)} 0"
+            for i in range(90)
         )
         self.write("loop.txt", loop)
         out, err = self.fit("loop.txt", "circle", "--json")
@@ -153,21 +160,36 @@ class Fit(ProgramTest):
     def test_layouts_of_other_programs_give_the_same_helix(self):
         points = [tuple(map(float, line.split(","))) for line in self.helix_text().splitlines()[2:]]
         rows = [[f"{v:.6f}" for v in p] for p in points]
-        markups = {"markups": [{"type": "Curve", "coordinateSystem": "LPS", "controlPoints": [
-            {"id": str(i), "position": list(p), "positionStatus": "defined"} for i, p in enumerate(points)]}]}
+        markups = {
+            "markups": [
+                {
+                    "type": "Curve",
+                    "coordinateSystem": "LPS",
+                    "controlPoints": [
+                        {"id": str(i), "position": list(p), "positionStatus": "defined"}
+                        for i, p in enumerate(points)
+                    ],
+                }
+            ]
+        }
         comma = [[v.replace(".", ",") for v in row] for row in rows]
         slicer = "# Markups fiducial file version = 5.0\n# CoordinateSystem = LPS\n"
         slicer += "# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n"
         paraview = '"Point ID","Points:0","Points:1","Points:2","Points_Magnitude"\n'
         layouts = {
-            "slicer.fcsv": slicer + "".join(f"{i},{','.join(r)},0,0,0,1,1,1,0,P-{i},,\n" for i, r in enumerate(rows)),
+            "slicer.fcsv": slicer
+            + "".join(f"{i},{','.join(r)},0,0,0,1,1,1,0,P-{i},,\n" for i, r in enumerate(rows)),
             "slicer.mrk.json": json.dumps(markups),
-            "vmtk.dat": "X Y Z MaximumInscribedSphereRadius\n" + "".join(f"{' '.join(r)} 1.2\n" for r in rows),
-            "paraview.csv": paraview + "".join(f"{i},{','.join(r)},3\n" for i, r in enumerate(rows)),
-            "units.csv": "\ufeffx [mm];y [mm];z [mm]\r\n" + "".join(";".join(r) + "\r\n" for r in comma),
+            "vmtk.dat": "X Y Z MaximumInscribedSphereRadius\n"
+            + "".join(f"{' '.join(r)} 1.2\n" for r in rows),
+            "paraview.csv": paraview
+            + "".join(f"{i},{','.join(r)},3\n" for i, r in enumerate(rows)),
+            "units.csv": "\ufeffx [mm];y [mm];z [mm]\r\n"
+            + "".join(";".join(r) + "\r\n" for r in comma),
             "tabs.txt": "".join("\t".join(r) + "\n" for r in comma),
             "blanks.txt": "".join("  ".join(r) + "\n" for r in comma),
-            "quoted.csv": '"x","y","z"\n' + "".join(",".join(f'"{v}"' for v in r) + "\n" for r in comma),
+            "quoted.csv": '"x","y","z"\n'
+            + "".join(",".join(f'"{v}"' for v in r) + "\n" for r in comma),
             "numpy.txt": "# x y z\n" + "".join(" ".join(r) + "\n" for r in rows),
             "named.csv": "a,b,c,name\n" + "".join(",".join(r) + ",p\n" for r in rows),
         }
@@ -231,11 +253,16 @@ class Fit(ProgramTest):
         self.assertEqual(differing(self.folder / "a.h5", self.folder / "c.h5"), [])
 
     def test_a_uniform_shape_is_a_precurved_wire_at_rest_and_in_time(self):
-        start = "[packing]\nsetup = 'high_torsion'\n[cavity]\nradius = 5\n[stop]\nincrements = 5\n[wire]\n"
+        start = (
+            "[packing]\nsetup = 'high_torsion'\n[cavity]\nradius = 5\n"
+            "[stop]\nincrements = 5\n[wire]\n"
+        )
         self.write("curved.toml", start + "precurvature = 0.08\n")
         self.write(
             "shaped.toml",
-            start + "reference_shape_beyond = 'repeat'\nreference_shape = [[0, 0, 0.08, 0], [1, 0, 0.08, 0]]\n",
+            start
+            + "reference_shape_beyond = 'repeat'\n"
+            + "reference_shape = [[0, 0, 0.08, 0], [1, 0, 0.08, 0]]\n",
         )
         for method in ("quasistatic", "dynamic"):
             last = []
@@ -247,7 +274,8 @@ class Fit(ProgramTest):
                     last.append([file["history/" + name][-1] for name in ("energy_bend", "force")])
             self.assertGreater(last[0][0], 0)
             for one, other in zip(*last):
-                # sums of halves of an edge against its whole: round-off, which the minimizer multiplies
+                # sums of halves of an edge against its whole: round-off, which the minimizer
+                # multiplies
                 self.assertAlmostEqual(one / other, 1, 3)
 
     def test_a_run_is_not_continued_with_another_shape(self):
@@ -272,21 +300,24 @@ class Fit(ProgramTest):
         self.write("text.toml", "[shape]\nk0 = [[0, 0, 1, 'a'], [1, 0, 1, 0]]\n")
         start = "[wire]\nreference_shape = "
         good = start + '"shapes/helix.toml"\n'
+        extend = "reference_shape_beyond = 'extend'\n"
+        tight = f"[wire]\n{extend}reference_shape = [[0, 0, 300, 0], [1, 0, 300, 0]]"
+        coarse = extend + "edge_length = 2.2\n[cavity]\nradius = 10"
+        none = 'run.toml:2:1: wire.reference_shape = "none.toml": none.toml: there is no such file'
         for text, part in {
-            start + '"none.toml"': "run.toml:2:1: wire.reference_shape = \"none.toml\": none.toml: there is no such file",
+            start + '"none.toml"': none,
             start + '"no_table.toml"': "has no `k0",
             start + '"short.toml"': "short.toml:2:6: k0 needs two rows",
             start + '"text.toml"': "must be rows [s, k1, k2, k3]",
             start + "5": "must be the name of a shape file, or rows",
             start + "[[0, 0, 1]]": "must be the name of a shape file, or rows",
-            good + "precurvature = 0.1": "wire.precurvature = 0.1: wire.reference_shape is given, too",
+            good
+            + "precurvature = 0.1": "wire.precurvature = 0.1: wire.reference_shape is given, too",
             good: "the run may insert any length",
             good + "[stop]\nlength = 60": "the run may insert 60",
             good + "reference_shape_beyond = 'end'": 'must be "error" or "repeat" or "extend"',
-            "[wire]\nreference_shape_beyond = 'extend'\nreference_shape = [[0, 0, 300, 0], [1, 0, 300, 0]]":
-                "radius of 0.00333333, the wire's own radius is 1: are both in the same unit",
-            good + "reference_shape_beyond = 'extend'\nedge_length = 2.2\n[cavity]\nradius = 10":
-                "wire.edge_length = 2.2: must be at most",
+            tight: "0.00333333, the wire's own radius is 1: are both in the same unit",
+            good + coarse: "wire.edge_length = 2.2: must be at most",
             "[wire]\nreference_shape_beyond = 'extend'": "which is not given",
         }.items():
             with self.subTest(text):

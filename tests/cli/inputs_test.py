@@ -50,8 +50,9 @@ class Inputs(ProgramTest):
         self.assertEqual(first, second)
 
     def test_warnings_come_once_and_are_in_the_file(self):
-        shape = "[wire]\nreference_shape = [[0, 0, 2, 0], [3, 0, 2, 0], [3.5, 0, 0, 0], [99, 0, 0, 0]]\n"
-        text = shape + 'edge_length = 0.5\n[cavity]\nradius = 4\n[stop]\nincrements = 8\n'
+        rows = "[[0, 0, 2, 0], [3, 0, 2, 0], [3.5, 0, 0, 0], [99, 0, 0, 0]]"
+        shape = f"[wire]\nreference_shape = {rows}\n"
+        text = shape + "edge_length = 0.5\n[cavity]\nradius = 4\n[stop]\nincrements = 8\n"
         _, err = self.run_config(text)
         tight = "at rest the wire bends to a radius of 0.5, tighter than its own, wire.radius = 1"
         self.assertEqual(err.count(tight), 1, err)
@@ -60,7 +61,7 @@ class Inputs(ProgramTest):
             self.assertEqual(file.attrs["warnings"].count(tight), 1)
 
     def test_a_wire_may_twist_more_easily_than_a_solid_one_which_is_said(self):
-        text = '[wire]\nbending_stiffness = 2\ntorsional_stiffness = 0.5\n[cavity]\nradius = 4\n'
+        text = "[wire]\nbending_stiffness = 2\ntorsional_stiffness = 0.5\n[cavity]\nradius = 4\n"
         _, err = self.run_config(text + "[stop]\nincrements = 8\n")
         self.assertIn("GJ = 0.5 is below two thirds of EI = 2", err)
 
@@ -76,7 +77,9 @@ class Inputs(ProgramTest):
         with h5py.File(self.folder / "out.h5") as file:
             changes = file.attrs["search_changes"]
             self.assertEqual(file.attrs["stop_reason"], "increments")
-        self.assertRegex(changes, r"^after increment \d+: minimizer.max_evaluations: was 3, is now \d+$")
+        self.assertRegex(
+            changes, r"^after increment \d+: minimizer.max_evaluations: was 3, is now \d+$"
+        )
 
     def test_all_differences_of_a_refused_continuation_are_listed(self):
         self.run_config(SMALL_RUN, "--set", "stop.increments=5")
@@ -93,7 +96,9 @@ class Inputs(ProgramTest):
         err = process.stderr.read()
         process.stderr.close()
         self.assertEqual(process.wait(60), 75, err)
-        self.assertRegex(err, r"^wirepack run: nobody reads the table .*--resume goes on from there\n$")
+        self.assertRegex(
+            err, r"^wirepack run: nobody reads the table .*--resume goes on from there\n$"
+        )
         with h5py.File(self.folder / "out.h5") as file:
             self.assertGreaterEqual(len(file["history/force"]), 3)
 

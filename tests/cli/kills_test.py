@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A hundred kills at random moments: after each the file is whole, and at the end no bit differs."""
+"""A hundred kills at random moments: each leaves a whole file, and in the end no bit differs."""
 
 import random
 import time
@@ -33,7 +33,9 @@ class Kills(ProgramTest):
                 now = check_readable(self, killed)
                 self.assertGreaterEqual(now, saved)
                 saved = now
-        code, _, err = self.run_program("run", "run.toml", "-o", "killed.h5", "--resume", timeout=200)
+        code, _, err = self.run_program(
+            "run", "run.toml", "-o", "killed.h5", "--resume", timeout=200
+        )
         self.assertEqual(code, 0, err)
         self.assertEqual(differing(self.folder / "whole.h5", killed), [])
         self.assertEqual(self.names(), ["killed.h5", "run.toml", "whole.h5"])

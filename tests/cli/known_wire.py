@@ -5,8 +5,8 @@ import numpy
 
 
 def replace_last_frame(path, nodes, contacts=()):
-    """Puts a wire through these nodes (N x 3) in the place of the last frame of a result; contacts are
-    (edge, edge, force). Bending energies count up from 0, other numbers are 0."""
+    """Puts a wire through these nodes (N x 3) in the place of the last frame of a result; contacts
+    are (edge, edge, force). Bending energies count up from 0, other numbers are 0."""
     n = len(nodes)
     with h5py.File(path, "r+") as file:
         frame = file["frames"][max(file["frames"])]

@@ -1,4 +1,4 @@
-"""No output destroys: what -o may name, and what is there afterwards, the same for every command."""
+"""No output destroys: what -o may name, and what is there afterwards, for every command."""
 
 import math
 import os
@@ -13,7 +13,11 @@ class Output(ProgramTest):
     def setUp(self):
         super().setUp()
         self.write("points.csv", POINTS)
-        self.write("run.toml", SMALL_RUN + "[wire]\nreference_shape = 'rest.toml'\nreference_shape_beyond = 'extend'\n")
+        self.write(
+            "run.toml",
+            SMALL_RUN
+            + "[wire]\nreference_shape = 'rest.toml'\nreference_shape_beyond = 'extend'\n",
+        )
         self.write("rest.toml", "[shape]\nk0 = [[0, 0, 0.1, 0], [1, 0, 0.1, 0]]\n")
         self.commands = {
             "fit": ("fit", "points.csv", "--model", "helix"),
@@ -41,7 +45,11 @@ class Output(ProgramTest):
                 self.assertNotEqual((self.folder / "there").read_bytes(), b"something")
 
     def test_an_input_is_never_replaced_under_any_name(self):
-        for command, inputs in {"fit": ["points.csv"], "run": ["run.toml", "rest.toml"], "view": ["made.h5"]}.items():
+        for command, inputs in {
+            "fit": ["points.csv"],
+            "run": ["run.toml", "rest.toml"],
+            "view": ["made.h5"],
+        }.items():
             for name in inputs:
                 for link in (None, os.symlink, os.link):
                     with self.subTest((command, name, link)):
@@ -85,7 +93,10 @@ class Output(ProgramTest):
     def test_figures_and_pages_are_replaced_only_when_forced(self):
         self.assertEqual(self.call("run", "out.h5")[0], 0)
         fit = (*self.commands["fit"], "-o", "shape.toml", "--figures", "figures")
-        for command, name in ((("figures", "out.h5", "-o", "figures"), "force.pdf"), (fit, "fit.dat")):
+        for command, name in (
+            (("figures", "out.h5", "-o", "figures"), "force.pdf"),
+            (fit, "fit.dat"),
+        ):
             with self.subTest(command[0]):
                 (self.folder / "figures").mkdir(exist_ok=True)
                 self.write("figures/" + name, "mine")
@@ -96,7 +107,9 @@ class Output(ProgramTest):
                 code, _, err = self.run_program(*command, "--force")
                 self.assertEqual(code, 0, err)
                 self.assertNotEqual((self.folder / "figures" / name).read_bytes(), b"mine")
-                self.assertEqual([p.name for p in (self.folder / "figures").iterdir() if p.name[0] == "."], [])
+                self.assertEqual(
+                    [p.name for p in (self.folder / "figures").iterdir() if p.name[0] == "."], []
+                )
         for name in ("comparison.html", "max_overlap.png"):
             (self.folder / "pages").mkdir(exist_ok=True)
             self.write("pages/" + name, "mine")

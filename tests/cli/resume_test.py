@@ -146,7 +146,14 @@ class Resume(ProgramTest):
             # both limits cut their last increment
             part = self.run_whole("part.h5", *method, *limits, "--set", "stop.length=6.37")
             code, _, err = self.run_program(
-                "run", "run.toml", "-o", "part.h5", *method, *limits, "--set", "stop.length=10.13",
+                "run",
+                "run.toml",
+                "-o",
+                "part.h5",
+                *method,
+                *limits,
+                "--set",
+                "stop.length=10.13",
                 "--resume",
             )
             self.assertEqual(code, 0, err)
@@ -238,11 +245,15 @@ class Resume(ProgramTest):
                 self.assertAlmostEqual(density, 3 * length / (4 * 4**3), places=12)
             for force, scaled in zip(history["force"], history["scaled_force"]):
                 self.assertAlmostEqual(scaled, force * 16 / bend, places=9)
-            parts = sum(history[f"energy_{n}"] for n in ("stretch", "bend", "twist", "wall", "contact"))
+            parts = sum(
+                history[f"energy_{n}"] for n in ("stretch", "bend", "twist", "wall", "contact")
+            )
             for total, part in zip(history["energy_total"], parts):
                 self.assertAlmostEqual(total, part, places=9)
             frame = file["frames/000060"]
-            self.assertAlmostEqual(frame["bend_energy"][()].sum(), history["energy_bend"][-1], places=9)
+            self.assertAlmostEqual(
+                frame["bend_energy"][()].sum(), history["energy_bend"][-1], places=9
+            )
             self.assertEqual(file.attrs["phi_max"], history["packing_density"].max())
 
 

@@ -81,8 +81,11 @@ class UnderSlurm(SweepTest):
         configuration = self.cluster / "slurm.conf"
         configuration.write_text(
             CONFIGURATION.format(
-                host=socket.gethostname().split(".")[0], port=free_port(), other_port=free_port(),
-                folder=self.cluster, processors=os.cpu_count(),
+                host=socket.gethostname().split(".")[0],
+                port=free_port(),
+                other_port=free_port(),
+                folder=self.cluster,
+                processors=os.cpu_count(),
             )
         )
         os.environ["SLURM_CONF"] = str(configuration)
@@ -90,8 +93,13 @@ class UnderSlurm(SweepTest):
         at = lambda name: f"{self.cluster}/{name}"
         subprocess.run(["mungekey", "-c", "-k", at("key")], check=True)
         self.daemon(
-            "munged", "-F", "--force", f"--key-file={at('key')}", f"--socket={at('munge.socket')}",
-            f"--pid-file={at('munge.pid')}", f"--log-file={at('munge.log')}",
+            "munged",
+            "-F",
+            "--force",
+            f"--key-file={at('key')}",
+            f"--socket={at('munge.socket')}",
+            f"--pid-file={at('munge.pid')}",
+            f"--log-file={at('munge.log')}",
             f"--seed-file={at('munge.seed')}",
         )
         self.wait_until(lambda: (self.cluster / "munge.socket").exists(), 30)
@@ -153,7 +161,16 @@ class UnderSlurm(SweepTest):
         code, _, err = self.run_program("sweep", "plan.toml", "-o", "whole", timeout=200)
         self.assertEqual(code, 0, err)
         # 3 jobs of 2 tasks: two arrays, as an array has 2 elements at most
-        arguments = ["sweep", "plan.toml", "-o", "part", "--executor", "slurm", "--tasks-per-job", "2"]
+        arguments = [
+            "sweep",
+            "plan.toml",
+            "-o",
+            "part",
+            "--executor",
+            "slurm",
+            "--tasks-per-job",
+            "2",
+        ]
         code, out, err = self.run_program(*arguments)
         self.assertEqual(code, 0, err)
         self.assertEqual(len(re.findall("Submitted batch job", out)), 2)
@@ -175,7 +192,8 @@ class UnderSlurm(SweepTest):
         self.assertEqual((code, out), (0, "# 6 tasks: 6 done\n"), err)
 
     def test_a_job_that_reaches_its_time_limit_saves_and_is_queued_again(self):
-        # An endless run: each start gets further, until there have been as many restarts as are allowed.
+        # An endless run: each start gets further, until there have been as many restarts as are
+        # allowed.
         self.write(
             "plan.toml",
             "[stop]\nincrements = 1000000\n[output]\ncheckpoint_every_seconds = 1000\n"

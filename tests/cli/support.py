@@ -87,7 +87,9 @@ def differing(one, other):
     for name in sorted(first.keys() & second.keys()):
         a, b = numpy.asarray(first[name]), numpy.asarray(second[name])
         same = a.dtype == b.dtype and a.shape == b.shape
-        if not same or (a.tolist() != b.tolist() if a.dtype == object else a.tobytes() != b.tobytes()):
+        if not same or (
+            a.tolist() != b.tolist() if a.dtype == object else a.tobytes() != b.tobytes()
+        ):
             names.append(name)
     return names
 

@@ -100,7 +100,10 @@ class SweepTest(ProgramTest):
         names = [task.name for task in self.tasks(one)]
         self.assertEqual(names, [task.name for task in self.tasks(other)])
         for name in names:
-            first, second = self.folder / one / name / "run.h5", self.folder / other / name / "run.h5"
+            first, second = (
+                self.folder / one / name / "run.h5",
+                self.folder / other / name / "run.h5",
+            )
             self.assertEqual(differing(first, second), [], name)
 
 

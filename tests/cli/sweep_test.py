@@ -34,7 +34,9 @@ class Interrupted(SweepTest):
         for task in self.tasks("part"):
             self.assertEqual(told[task.name][0], self.true_state(task)[0], task.name)
 
-    def test_killed_twice_and_on_a_full_disk_it_ends_in_the_same_bits_and_computes_nothing_twice(self):
+    def test_killed_twice_and_on_a_full_disk_it_ends_in_the_same_bits_and_computes_nothing_twice(
+        self,
+    ):
         code, out, err = self.run_program("sweep", "plan.toml", "-o", "whole", timeout=120)
         self.assertEqual((code, out), (0, f"# {TASKS} tasks: {TASKS} done\n"), err)
         disk = self.small_disk("part")
@@ -67,7 +69,9 @@ class Interrupted(SweepTest):
         stops.check()
 
     def test_a_signal_is_handed_on_and_all_save(self):
-        self.write("plan.toml", PLAN.replace("= 40", "= 100000").replace("seconds = 0", "seconds = 1000"))
+        self.write(
+            "plan.toml", PLAN.replace("= 40", "= 100000").replace("seconds = 0", "seconds = 1000")
+        )
         process = self.start("sweep", "plan.toml", "-o", "part", "--jobs", "2")
         self.wait_for(lambda: len(list(self.folder.glob("part/*/run.h5.lock"))) == 2, process)
         process.send_signal(signal.SIGTERM)
@@ -139,7 +143,10 @@ class Tasks(SweepTest):
         self.assertEqual(sum(state == "done" for state, _ in told.values()), 11)
 
     def test_no_equilibrium_is_a_result(self):
-        self.write("plan.toml", SHORT.replace(', "high_torsion"', "") + "[minimizer]\nmax_evaluations = 3\n")
+        self.write(
+            "plan.toml",
+            SHORT.replace(', "high_torsion"', "") + "[minimizer]\nmax_evaluations = 3\n",
+        )
         out, _ = self.sweep(3)
         self.assertIn("6 no equilibrium", out)
         self.sweep(3)  # and it is not tried again
@@ -255,7 +262,9 @@ class TablesOverSeeds(SweepTest):
         row = groups["high_torsion", "3"]
         energies = []
         for seed in (1, 2, 3):
-            with h5py.File(self.folder / f"out/setup=high_torsion,radius=3,seed={seed}/run.h5") as f:
+            with h5py.File(
+                self.folder / f"out/setup=high_torsion,radius=3,seed={seed}/run.h5"
+            ) as f:
                 # YI / R of the default wire in a sphere of 3
                 energies.append(f["history/energy_bend"][-1] * 3 / (5 * 3.141592653589793 / 4))
         self.assertEqual(row["runs"], "3")

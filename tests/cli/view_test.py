@@ -78,7 +78,9 @@ class View(ProgramTest):
         self.assertEqual(old.read_text(), "old")
         os.symlink("result.h5", self.folder / "link.html")
         for page in ("result.h5", "./result.h5", "link.html"):
-            self.expect_refusal(2, "is an input of this command", "result.h5", "-o", page, "--force")
+            self.expect_refusal(
+                2, "is an input of this command", "result.h5", "-o", page, "--force"
+            )
         (self.folder / "folder").mkdir()
         self.expect_refusal(2, "is a folder", "result.h5", "-o", "folder", "--force")
         code, _, err = self.run_program("view", "result.h5", "-o", "old.html", "--force")

@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """data/docs/configuration.md lists every key with the default and the range that the program has.
 
-Meaning and unit of a key are written in the page; the rest is asked of the program: keys from what it says
-about an unknown one, defaults from --dry-run, ranges from its messages about impossible values.
+Meaning and unit of a key are written in the page; the rest is asked of the program: keys from what
+it says about an unknown one, defaults from --dry-run, ranges from its messages about impossible
+values.
 WIREPACK=build/wirepack configuration_page_test.py --write brings the page up to date.
 """
 
@@ -22,7 +23,10 @@ WRONG_NUMBERS = ["-1", "1e-18", "1000000000000000000"]
 # What is allowed elsewhere depends on these, so their keys are asked about one at a time.
 FELT_ELSEWHERE = ["wire", "cavity", "dynamics"]
 # Others than the default, and how the page names them.
-VARIANTS = {"high torsion": {"packing.setup": "high_torsion"}, "in time": {"packing.method": "dynamic"}}
+VARIANTS = {
+    "high torsion": {"packing.setup": "high_torsion"},
+    "in time": {"packing.method": "dynamic"},
+}
 
 
 def dry_run(settings=None):
@@ -30,10 +34,15 @@ def dry_run(settings=None):
     with TemporaryDirectory() as folder:
         config = Path(folder) / "c.toml"
         config.write_text("[cavity]\nradius = 10\n")
-        words = [word for key, value in (settings or {}).items() for word in ("--set", f"{key}={value}")]
+        words = [
+            word for key, value in (settings or {}).items() for word in ("--set", f"{key}={value}")
+        ]
         done = subprocess.run(
             [PROGRAM, "run", str(config), "--dry-run", *words],
-            capture_output=True, text=True, timeout=60, check=False,
+            capture_output=True,
+            text=True,
+            timeout=60,
+            check=False,
         )
     return done.stdout, done.stderr
 
@@ -60,7 +69,7 @@ def values(settings=None):
 
 
 def complaints(keys, value):
-    """What the program says that each of the keys must be; nothing for those that may be the value."""
+    """What the program says that each key must be; nothing for those that may be the value."""
     found = {}
     for line in dry_run(dict.fromkeys(keys, value))[1].splitlines():
         message = re.search(r": (\w+\.\w+) = [^:]*: (.*)", line)
@@ -76,7 +85,9 @@ def ranges(sections):
     types = {}
     for section, names in sections.items():
         types |= complaints([f"{section}.{name}" for name in names], OF_NO_TYPE)
-    numbers = [key for key, kind in types.items() if re.match("an? (finite number|number|integer)", kind)]
+    numbers = [
+        key for key, kind in types.items() if re.match("an? (finite number|number|integer)", kind)
+    ]
     batches = {}
     for key in numbers:
         section = key.split(".")[0]
@@ -133,7 +144,9 @@ def tables(page):
         for name in names:
             key = f"{section}.{name}"
             _, meaning, unit, *_ = written.get(key, ["", "", ""])
-            lines.append(line_of([f"`{name}`", meaning, unit, default(key, plain, variants), allowed[key]]))
+            lines.append(
+                line_of([f"`{name}`", meaning, unit, default(key, plain, variants), allowed[key]])
+            )
         result[section] = "\n".join(lines)
     return result
 
@@ -145,7 +158,7 @@ def current(page):
             page = page.rstrip() + "\n\n" + heading
         head, tail = page.split(heading, 1)
         old = re.match(r"(\|.*\n?)*", tail)[0]
-        page = head + heading + table + "\n" + tail[len(old):]
+        page = head + heading + table + "\n" + tail[len(old) :]
     return page
 
 

@@ -10,7 +10,11 @@ import h5py
 from support import ProgramTest
 
 ROOT = Path(__file__).parents[2]
-PAGES = [ROOT / "README.md", ROOT / ".github/CONTRIBUTING.md", *sorted((ROOT / "data/docs").glob("*.md"))]
+PAGES = [
+    ROOT / "README.md",
+    ROOT / ".github/CONTRIBUTING.md",
+    *sorted((ROOT / "data/docs").glob("*.md")),
+]
 FRICTION_IN_TIME = """
 [packing]
 method = "dynamic"
@@ -69,7 +73,9 @@ class ResultFile(ProgramTest):
         known |= {word + "seconds" for word in known if word.endswith("_")}
         self.write("run.toml", FRICTION_IN_TIME)
         for method in ("quasistatic", "dynamic"):
-            code, _, err = self.run_program("run", "run.toml", "-o", f"{method}.h5", "--method", method)
+            code, _, err = self.run_program(
+                "run", "run.toml", "-o", f"{method}.h5", "--method", method
+            )
             self.assertEqual(code, 0, err)
             with h5py.File(self.folder / f"{method}.h5") as file:
                 self.assertEqual(self.unnamed(file, known), set())

@@ -42,7 +42,7 @@ class Readme(ProgramTest):
         (self.folder / "data").symlink_to(ROOT / "data")
 
     def run_readme(self):
-        """Runs the transcript here; what each command prints, beside what the README says it does."""
+        """Runs the transcript here: what each command prints, beside what the README says."""
         results = []
         for command, shown in commands():
             program, *arguments = shlex.split(command)
@@ -78,7 +78,9 @@ class Readme(ProgramTest):
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
             exec(compile(code, "README.md", "exec"), {})
-        density, force, nodes = re.match(r"phi = (\S+), F R\^2/YI = (\S+), (\d+) nodes", out.getvalue()).groups()
+        density, force, nodes = re.match(
+            r"phi = (\S+), F R\^2/YI = (\S+), (\d+) nodes", out.getvalue()
+        ).groups()
         last = [line.split() for line in printed if re.match(r" *\d+ +\d+\.\d{4} ", line)][-1]
         self.assertAlmostEqual(float(density), float(last[2]), delta=0.005)
         self.assertAlmostEqual(float(force), float(last[3]), delta=0.005)

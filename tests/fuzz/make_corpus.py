@@ -22,12 +22,15 @@ def main(sources, program, folder):
         (folder / "points" / name).write_text(text)
     (folder / "shape/shape.toml").write_text("[shape]\nk0 = [[0, 0, 0.1, 0], [1, 0, 0.1, 0]]\n")
     config = folder / "small.toml"
-    config.write_text("[cavity]\nradius = 4\n[stop]\nincrements = 2\n[friction]\nmodel = 'coulomb'\n")
+    config.write_text(
+        "[cavity]\nradius = 4\n[stop]\nincrements = 2\n[friction]\nmodel = 'coulomb'\n"
+    )
     for method in ("quasistatic", "dynamic"):
         result = folder / "result" / f"{method}.h5"
         if not result.exists():
             subprocess.run(
-                [program, "run", config, "-o", result, "--method", method], check=True,
+                [program, "run", config, "-o", result, "--method", method],
+                check=True,
                 stdout=subprocess.DEVNULL,
             )
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <unistd.h>
 
-/// A file with these bytes, while it lives; in memory where there is a file system for that. HDF5 opens
-/// no file without a name.
+/// A file with these bytes, while it lives; in memory where there is a file system for that. HDF5
+/// opens no file without a name.
 class TemporaryFile {
  public:
   TemporaryFile(const std::uint8_t* data, std::size_t size) {

@@ -166,7 +166,12 @@ GOOD_TREE = {
 
 # (file, contents, line, part of the message)
 BAD_FILES = [
-    ("src/core/a.cpp", '\n#include "wirepack/rod/rod.hpp"\n', 2, "'core' may not include layer 'rod'"),
+    (
+        "src/core/a.cpp",
+        '\n#include "wirepack/rod/rod.hpp"\n',
+        2,
+        "'core' may not include layer 'rod'",
+    ),
     ("src/core/a.cpp", '/* x */ #  include  "wirepack/rod/rod.hpp"', 1, "may not include"),
     ("include/wirepack/solve/a.hpp", "#include <wirepack/dynamics/b.hpp>", 1, "may not include"),
     ("include/wirepack/observe/a.hpp", '#include "wirepack/solve/b.hpp"', 1, "may not include"),

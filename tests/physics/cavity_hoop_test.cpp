@@ -94,8 +94,8 @@ TEST(HoopInBall, LongerThanTheEquatorIsPressedByTheWallAllAround) {
 
 // A coil of this many edges along the equator, free at both ends, pressed by its stiffness alone.
 double coil_energy(Index edges, const RodParams& params, const SphericalCavity& cavity) {
-  // Eshelby's force at a free end, B / (2 rho^2), is the compression of the coil, and the wall holds
-  // it with B / (2 rho^3) per length.
+  // Eshelby's force at a free end, B / (2 rho^2), is the compression of the coil, and the wall
+  // holds it with B / (2 rho^3) per length.
   const double free = cavity.radius - params.radius;
   const double rho = free * (1 + 1 / (2 * firmness));
   const double step = params.edge_length / rho;

@@ -26,7 +26,8 @@ LineKernel kernel_of(double edge_length) {
 }
 
 // Edges of curved strands are not quite parallel, and stiffer by the part of a crossing that they
-// are: (k_crossing / k_parallel - 1) times the mean of 1 - cos^8(angle), 4 (l / rho)^2 / 2 for rings.
+// are: (k_crossing / k_parallel - 1) times the mean of 1 - cos^8(angle), 4 (l / rho)^2 / 2 for
+// rings.
 double angle_excess(double edge_length, double radius) {
   const LineKernel kernel = kernel_of(edge_length);
   const double angle = edge_length / radius;

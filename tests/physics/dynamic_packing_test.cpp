@@ -103,11 +103,11 @@ TEST(DynamicPacking, AStepBeyondStabilityIsRefusedWithAReason) {
   }
 }
 
-/// kL at the Euler load of a wire of length L that is clamped at one end and sticks with a round tip of
-/// radius a at the other, at the wall of a sphere of radius rho of centrelines: the smallest root of the
-/// determinant for y = A (sin kx - kx) + C (cos kx - 1) with y + a y' = 0 (the tip rolls) and
-/// y'' + a (y''' + k^2 y') + a^2 k^2 / rho y' = 0 (moment of the sticking force, and the slope of the
-/// wall) at L. For a = 0 that is tan kL = kL, 4.4934.
+/// kL at the Euler load of a wire of length L that is clamped at one end and sticks with a round
+/// tip of radius a at the other, at the wall of a sphere of radius rho of centrelines: the smallest
+/// root of the determinant for y = A (sin kx - kx) + C (cos kx - 1) with y + a y' = 0 (the tip
+/// rolls) and y'' + a (y''' + k^2 y') + a^2 k^2 / rho y' = 0 (moment of the sticking force, and the
+/// slope of the wall) at L. For a = 0 that is tan kL = kL, 4.4934.
 double critical_kl(double length, double a, double rho) {
   const auto determinant = [&](double kl) {
     const double k = kl / length, s = std::sin(kl), c = std::cos(kl);

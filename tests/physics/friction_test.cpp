@@ -88,8 +88,8 @@ TEST(Rolling, ATurningWireClimbsTheWallWithoutSlipUpToTheSlopeOfItsCoefficientAn
   EXPECT_GT(wire.dissipated, 0);
 }
 
-// A wire pushed along the inside of a great circle through n equal turns is pressed on the wall by its
-// own thrust: thrust in / thrust out = [(cos(D/2) + mu sin(D/2)) / (cos(D/2) - mu sin(D/2))]^n.
+// A wire pushed along the inside of a great circle through n equal turns is pressed on the wall by
+// its own thrust: thrust in / thrust out = [(cos(D/2) + mu sin(D/2)) / (cos(D/2) - mu sin(D/2))]^n.
 class Capstan : public ::testing::TestWithParam<double> {};
 
 TEST_P(Capstan, ThrustGrowsByTheDiscreteRatioAndFallsByItWhenTheWireIsDrawnBack) {
@@ -106,7 +106,8 @@ TEST_P(Capstan, ThrustGrowsByTheDiscreteRatioAndFallsByItWhenTheWireIsDrawnBack)
   }
   wire.params.edge_length = (nodes.col(1) - nodes.col(0)).norm();
   wire.rod = make_rod(nodes, wire.params);
-  // Stiff, so that it does not buckle off the wall, and bent by nature, so that it presses on nothing.
+  // Stiff, so that it does not buckle off the wall, and bent by nature, so that it presses on
+  // nothing.
   wire.params.youngs_modulus = 3e4;
   wire.params.rest_darboux = wire.rod.frames[3].conjugate() *
                              Vec3(0, 0, 2 * std::tan(angle / 2) / wire.params.edge_length);
@@ -134,8 +135,8 @@ TEST_P(Capstan, ThrustGrowsByTheDiscreteRatioAndFallsByItWhenTheWireIsDrawnBack)
 }
 INSTANTIATE_TEST_SUITE_P(Coefficients, Capstan, ::testing::Values(0.2, 0.18));
 
-// A straight wire of length L = 2 (R - a), fixed in the nozzle at the near pole, whose tip has reached
-// the far one.
+// A straight wire of length L = 2 (R - a), fixed in the nozzle at the near pole, whose tip has
+// reached the far one.
 constexpr double cavity_radius = 40, span = 2 * (cavity_radius - 1);
 
 struct Peak {
@@ -176,10 +177,10 @@ Peak first_peak(double mu, double start) {
   return {peak, peak * unit / stiff.stretch};
 }
 
-// Buckling load in YI / L^2 of the wire whose tip rolls on the wall without slip. The wall pushes and holds
-// at the contact, a from the last node: YI w'' = F (c - w) - H (L + a - x) with w = w' = 0 in the nozzle,
-// w(L) = c (R - a) / R for a contact moved by c, and w(L) = -a w'(L) for a tip that rolls. For a = 0 this
-// is the pinned end, tan kL = kL, with 20.19.
+// Buckling load in YI / L^2 of the wire whose tip rolls on the wall without slip. The wall pushes
+// and holds at the contact, a from the last node: YI w'' = F (c - w) - H (L + a - x) with
+// w = w' = 0 in the nozzle, w(L) = c (R - a) / R for a contact moved by c, and w(L) = -a w'(L) for
+// a tip that rolls. For a = 0 this is the pinned end, tan kL = kL, with 20.19.
 double rolling_load() {
   // how far a solution for F = k^2 YI is from the last two conditions; zero at the load
   const auto determinant = [](double k) {
@@ -202,11 +203,12 @@ double rolling_load() {
   return std::pow(low * span, 2);
 }
 
-// A wire compressed by the strain e bends with YI (1 - e), and the force dE/dL per fed rest length is
-// thrust * (1 - e / 2).
+// A wire compressed by the strain e bends with YI (1 - e), and the force dE/dL per fed rest length
+// is thrust * (1 - e / 2).
 double with_compression(double load, const Peak& peak) { return load * (1 - 1.5 * peak.strain); }
 
-// Where the tip slides on the wall, the wall pushes it back to the pole by its curvature: tan kL = kL / 2.
+// Where the tip slides on the wall, the wall pushes it back to the pole by its curvature:
+// tan kL = kL / 2.
 TEST(FirstContact, ATipThatSticksRaisesTheFirstPeakFromTheLoadOfASlidingEndToThatOfARollingOne) {
   const double sliding = 18.273763, rolling = rolling_load();
   const double increment = 0.003;
@@ -220,8 +222,8 @@ TEST(FirstContact, ATipThatSticksRaisesTheFirstPeakFromTheLoadOfASlidingEndToTha
   EXPECT_LT(hardly.force, stuck.force);
 }
 
-// The highest force of a wire that is fed by these increments from the nozzle on, to a little beyond the
-// far pole, over the load at which a wire whose tip rolls buckles.
+// The highest force of a wire that is fed by these increments from the nozzle on, to a little
+// beyond the far pole, over the load at which a wire whose tip rolls buckles.
 double first_peak_over_rolling_load(double edge_length, double increment) {
   Scenario scenario = default_scenario(Setup::low_torsion, {cavity_radius});
   scenario.friction = {FrictionModel::coulomb, 0.2, 0.18, 0.02};
@@ -237,8 +239,8 @@ double first_peak_over_rolling_load(double edge_length, double increment) {
   return peak / with_compression(rolling_load(), {peak, peak * unit / stiff.stretch});
 }
 
-// Nothing holds the tip in the increment in which it comes to the wall: it must be held where it formed its
-// contact, or the stiff wire throws it off the pole before friction begins.
+// Nothing holds the tip in the increment in which it comes to the wall: it must be held where it
+// formed its contact, or the stiff wire throws it off the pole before friction begins.
 TEST(FirstContact,
      the_first_peak_of_a_stuck_tip_is_the_rolling_load_for_coarse_and_fine_increments) {
   EXPECT_NEAR(first_peak_over_rolling_load(1, 1), 1, 0.01);

@@ -15,9 +15,9 @@ namespace {
 constexpr Index edges = 80;
 constexpr double length = 80;
 
-// A rod whose rest shape is an arc of this angle hangs from a clamp that points down, under its weight in
-// parts of YI / L^3. It starts straight, so it stays in the plane of the arc as long as nothing tells
-// either side of that plane from the other.
+// A rod whose rest shape is an arc of this angle hangs from a clamp that points down, under its
+// weight in parts of YI / L^3. It starts straight, so it stays in the plane of the arc as long as
+// nothing tells either side of that plane from the other.
 struct HangingRod {
   HangingRod(double angle, double weight) {
     params.edge_length = length / edges;
@@ -51,8 +51,9 @@ struct HangingRod {
   EquilibriumOptions options;
 };
 
-// An arc of 3 rad stays planar under any weight. One of some 5.83 rad loses its planar shape to a helical one
-// at a weight of 20 YI / L^3, in a pitchfork: the way out of the plane grows as a square root.
+// An arc of 3 rad stays planar under any weight. One of some 5.83 rad loses its planar shape to a
+// helical one at a weight of 20 YI / L^3, in a pitchfork: the way out of the plane grows as a
+// square root.
 TEST(HangingCurlyRod, stays_planar_up_to_its_stability_limit_and_leaves_the_plane_just_beyond) {
   for (const auto& [angle, weight] :
        {std::pair(3.0, 5.0), std::pair(3.0, 20.0), std::pair(3.0, 500.0), std::pair(5.82, 20.0)}) {

@@ -77,8 +77,8 @@ TEST(Packing, OnACoarseMeshTheWorkIsStoredAndSplitsTakeLittle) {
   }
 }
 
-// An increment that was taken in parts used to move the phase of the mesh at which half edges read the
-// force for the rest of the run: the mean force was 4.5 % low.
+// An increment that was taken in parts used to move the phase of the mesh at which half edges read
+// the force for the rest of the run: the mean force was 4.5 % low.
 TEST(Packing, HalfEdgesReadTheMeanForceOfEighths) {
   Scenario scenario = small_sphere(Setup::high_torsion, 0.24);
   scenario.wire.edge_length = 0.5;
@@ -98,7 +98,8 @@ TEST(Packing, HalfEdgesReadTheMeanForceOfEighths) {
   EXPECT_NEAR(mean_force(scenario.wire.edge_length / 2), mean, 0.015 * mean);
 }
 
-// At a density of 0.83 a short inlet edge under a strand is too stiff for the round-off of the energy.
+// At a density of 0.83 a short inlet edge under a strand is too stiff for the round-off of the
+// energy.
 TEST(Packing, GoesOnWhereASplitOfTheInletEdgeLeavesNoRest) {
   Scenario scenario = small_sphere(Setup::low_torsion, 0.835);
   scenario.insertion.increment = scenario.wire.edge_length;

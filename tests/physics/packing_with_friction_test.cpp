@@ -58,8 +58,8 @@ TEST_P(PackingWithFriction, VanishingFrictionLeavesThePackingAsItIsWithoutAny) {
   // where the tip comes to the wall, increments may be taken in other parts
   ASSERT_EQ(slight.rows.back().inserted_length, none.rows.back().inserted_length);
   const double energy = none.rows.back().energy_total;
-  // The force takes what mu does at first order; the energy is at its minimum. In low torsion the frames
-  // are unknowns with friction alone, so rounding differs.
+  // The force takes what mu does at first order; the energy is at its minimum. In low torsion the
+  // frames are unknowns with friction alone, so rounding differs.
   EXPECT_NEAR(slight.rows.back().energy_total / energy, 1, 1e-6);
   EXPECT_NEAR(slight.rows.back().force / none.rows.back().force, 1, 1e-3);
 }
@@ -67,8 +67,8 @@ TEST_P(PackingWithFriction, VanishingFrictionLeavesThePackingAsItIsWithoutAny) {
 INSTANTIATE_TEST_SUITE_P(Setups, PackingWithFriction,
                          ::testing::Values(Setup::low_torsion, Setup::high_torsion));
 
-// The energy of what is left to gain in the last step is below a unit in the last place of the whole:
-// a search that compares energies as sums finds no equilibrium.
+// The energy of what is left to gain in the last step is below a unit in the last place of the
+// whole: a search that compares energies as sums finds no equilibrium.
 TEST(PackingWithFriction,
      a_wire_in_a_large_cavity_comes_to_rest_where_its_energy_is_rounded_more_than_it_changes) {
   Scenario scenario = default_scenario(Setup::high_torsion, {40});

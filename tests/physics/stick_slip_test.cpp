@@ -14,13 +14,13 @@ constexpr double density = 1;
 constexpr double edge_length = 200;
 constexpr double gravity = 0.1;
 constexpr double degree = pi / 180;
-// So large that its bottom is a plane: it turns by 1e-5 over the longest way here, and is higher under
-// the ends of the wire by 1e-3 of the overlap.
+// So large that its bottom is a plane: it turns by 1e-5 over the longest way here, and is higher
+// under the ends of the wire by 1e-3 of the overlap.
 constexpr double plane_radius = 1e9;
 
-/// A straight, long wire of five nodes (friction acts a below its axis; on a short one that would shift
-/// the load towards the front) at rest on the bottom of a huge cavity, along x. Gravity is turned
-/// from -z towards +x by `slope`; the wire starts with the overlap that carries its weight.
+/// A straight, long wire of five nodes (friction acts a below its axis; on a short one that would
+/// shift the load towards the front) at rest on the bottom of a huge cavity, along x. Gravity is
+/// turned from -z towards +x by `slope`; the wire starts with the overlap that carries its weight.
 MovingWire wire_on_plane(double slope, const StickSlipLaw& law, double step = 0.05) {
   WireForces forces;
   forces.wire.edge_length = edge_length;
@@ -179,8 +179,8 @@ TEST(StickSlip, StrandsThatRubOnEachOtherKeepMomentumAndAngularMomentum) {
 
 constexpr double circle_radius = 100;
 
-/// Compressed along half a great circle by T1 at the tip and T2 at the other end, a wire rubs on the wall
-/// like a rope on a bollard. Rest curvature leaves only the compression to press it on.
+/// Compressed along half a great circle by T1 at the tip and T2 at the other end, a wire rubs on
+/// the wall like a rope on a bollard. Rest curvature leaves only the compression to press it on.
 MovingWire wire_on_great_circle(Index turns, double ratio, double mu) {
   const double radius = circle_radius, turn = pi / static_cast<double>(turns);
   WireForces forces;
@@ -217,8 +217,8 @@ MovingWire wire_on_great_circle(Index turns, double ratio, double mu) {
   return {forces, density, held, rod, 0.05};
 }
 
-// T2 / T1 of a rope round equal turns D: [(1 + mu tan(D/2)) / (1 - mu tan(D/2))]^turns. Friction acts on
-// the surface, a outside of the centreline, which gives its moment the lever rho + a.
+// T2 / T1 of a rope round equal turns D: [(1 + mu tan(D/2)) / (1 - mu tan(D/2))]^turns. Friction
+// acts on the surface, a outside of the centreline, which gives its moment the lever rho + a.
 double capstan_ratio(Index turns, double angle, double mu, double lever) {
   const double slope = mu * lever * std::tan(angle / static_cast<double>(turns) / 2);
   return std::pow((1 + slope) / (1 - slope), static_cast<double>(turns));

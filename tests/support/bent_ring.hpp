@@ -6,8 +6,8 @@
 namespace wirepack::testing {
 
 /// A straight rod clamped along z, bent by a tip moment about x that grows in eight steps, so that
-/// the angle of its end is followed past a half turn. It is kept in its plane, which it would leave:
-/// the potential of a moment with a fixed axis has no torque that holds it there.
+/// the angle of its end is followed past a half turn. It is kept in its plane, which it would
+/// leave: the potential of a moment with a fixed axis has no torque that holds it there.
 inline RodState bent_by_tip_moment(const RodParams& params, Index edges, double moment) {
   const double length = params.edge_length * static_cast<double>(edges);
   RodState state = make_rod(straight_nodes(edges, length), params, {.first_clamped = true});

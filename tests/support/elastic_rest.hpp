@@ -29,8 +29,8 @@ inline RodParams unit_rod(Index edges, double length = 1, double stretch = inext
   return params;
 }
 
-/// Largest force [YI / L^2 with L = 1] and moment [YI / L] left at rest. With the inextensible rod of
-/// 200 edges the round-off of the axial springs is 1e-6.
+/// Largest force [YI / L^2 with L = 1] and moment [YI / L] left at rest. With the inextensible rod
+/// of 200 edges the round-off of the axial springs is 1e-6.
 struct RestTolerance {
   double force = 5e-6;
   double moment = 1e-6;

@@ -76,7 +76,8 @@ inline ElasticaShape compressed_rod(Index edges, double shortening, bool clamped
   held.angle.assign(held.angle.size(), true);  // in the plane nothing twists
   held.hold_node(0);
   held.hold_node(edges);
-  // Pins that meet let the rod turn about them; by symmetry its middle stays, and no force acts there.
+  // Pins that meet let the rod turn about them; by symmetry its middle stays, and no force acts
+  // there.
   if (!clamped && shortening == 1)
     held.coordinate[static_cast<std::size_t>(3 * (edges / 2) + 2)] = true;
   rest(state, held, params);

@@ -18,8 +18,8 @@ inline ShapeFit fitted(const MeasuredPoints& points, ShapeModel model, bool robu
   return fit;
 }
 
-// Many fits of the same points with other scatter, each together with its mirror image: what is left
-// in their mean is the bias, and hardly the scatter. In standard errors.
+// Many fits of the same points with other scatter, each together with its mirror image: what is
+// left in their mean is the bias, and hardly the scatter. In standard errors.
 struct Trials {
   double bias, scatter;
 };

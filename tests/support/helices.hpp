@@ -93,8 +93,8 @@ inline ReleasedHelix released_helix(Index edges, const Helix& rest_shape) {
   return {measured_helix(state), elastic_energy(state, params)};
 }
 
-/// Wrench on the end of a rod with rest curvature 1 and torsion 0, YI = 1, GJ = 2/3, clamped at both
-/// ends onto a helix.
+/// Wrench on the end of a rod with rest curvature 1 and torsion 0, YI = 1, GJ = 2/3, clamped at
+/// both ends onto a helix.
 struct Wrench {
   double force, moment;  // along and about the axis
 };

@@ -7,8 +7,8 @@
 
 namespace wirepack::testing {
 
-/// The same scenario where a unit of length is `length` times shorter, and so on: every number grows by
-/// the factors of its units.
+/// The same scenario where a unit of length is `length` times shorter, and so on: every number
+/// grows by the factors of its units.
 inline Scenario scaled_scenario(Scenario scenario, double length, double modulus, double density) {
   const double time = length * std::sqrt(density / modulus);
   scenario.wire.radius *= length;

@@ -120,9 +120,9 @@ inline Column compressed_column(Index edges, End first, End last, double load, d
   return column;
 }
 
-/// Lowest stiffness v^T H v, |v| = 1. The mode v comes from the Hessian; its stiffness then from the
-/// energies at +-A v, extrapolated to A = 0, because an eigenvalue of a matrix with entries of N^3
-/// carries a rounding error of 1e-16 N^3 / (pi^4 / N) while energies are sums of squares.
+/// Lowest stiffness v^T H v, |v| = 1. The mode v comes from the Hessian; its stiffness then from
+/// the energies at +-A v, extrapolated to A = 0, because an eigenvalue of a matrix with entries of
+/// N^3 carries a rounding error of 1e-16 N^3 / (pi^4 / N) while energies are sums of squares.
 inline double lowest_stiffness(const Column& column) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       elastic_hessian(column.state, column.held, column.params));

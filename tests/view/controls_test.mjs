@@ -6,7 +6,8 @@ import {test} from 'node:test';
 import {drawn, luminance, open, standard_deviation, state_of, with_browser} from './support.mjs';
 
 const holder = with_browser();
-const picture = async (page) => luminance(holder.browser, await page.locator('#stage').screenshot());
+const picture = async (page) =>
+    luminance(holder.browser, await page.locator('#stage').screenshot());
 const differing = (a, b) => a.filter((v, k) => Math.abs(v - b[k]) > 12).length / a.length;
 
 // The stage with nothing on it but the wire.
@@ -49,7 +50,9 @@ test('the slider shows the frame and the numbers of its moment', async () => {
   assert.equal((await state_of(page)).frame, 1);
   assert.match(await page.locator('#moment').textContent(), new RegExp(`frame 2 of ${frames}`));
   const expected = await page.evaluate(() => shown(past.force.values[frame_rows[1]]));
-  assert.match(await page.locator('#curve_force output').textContent(), new RegExp('^' + expected.replace('.', '\\.')));
+  assert.match(
+      await page.locator('#curve_force output').textContent(),
+      new RegExp('^' + expected.replace('.', '\\.')));
   assert.ok(differing(last, await picture(page)) > 0.005);
   assert.equal(await page.locator('#numbers tr[aria-current]').getAttribute('data-frame'), '1');
 });
@@ -61,7 +64,8 @@ test('the positions of a frame are those of the file to half a quantum', async (
     const xyz = await positions_of(0), n = xyz.length / 3;
     let worst = 0;
     for (let i = 0; i < n; ++i) {
-      const angle = 2 * Math.PI * i / (n - 1), exact = [6 * Math.cos(angle), 0, 6 * Math.sin(angle)];
+      const angle = 2 * Math.PI * i / (n - 1),
+            exact = [6 * Math.cos(angle), 0, 6 * Math.sin(angle)];
       exact.forEach((c, k) => { worst = Math.max(worst, Math.abs(c - xyz[k * n + i])); });
     }
     return [n, worst / run.frames[0].quantum];
@@ -76,7 +80,8 @@ test('a click on a curve goes to the frame nearest to it', async () => {
   const box = await page.locator('#curve_force svg').boundingBox();
   await page.mouse.click(box.x + box.width * (44 + 0.5 * 288) / 340, box.y + box.height / 2);
   const off = await page.evaluate(() => {
-    const phis = frame_rows.map((row) => past.density.values[row]), half = past.density.values.at(-1) / 2;
+    const phis = frame_rows.map((row) => past.density.values[row]),
+          half = past.density.values.at(-1) / 2;
     const nearest = Math.min(...phis.map((phi) => Math.abs(phi - half)));
     return Math.abs(Math.abs(phis[state.frame] - half) - nearest) / half;
   });
@@ -141,7 +146,13 @@ test('a cut takes away what lies beyond and nothing else', async () => {
   const page = await open(holder.browser, 'straight.html');
   await drawn(page);
   // seen from the side: the wire lies along y from -7 to 7 with its round ends, cut at y = 2
-  await page.evaluate(() => { Object.assign(state, {frame: 0, cut: true, cut_normal: [0, 1, 0], cut_at: 2, cut_side: 1, outline: false}); look('x'); show_everything(); });
+  await page.evaluate(() => {
+    Object.assign(
+        state,
+        {frame: 0, cut: true, cut_normal: [0, 1, 0], cut_at: 2, cut_side: 1, outline: false});
+    look('x');
+    show_everything();
+  });
   await drawn(page);
   const [left, right] = await page.evaluate(() => {
     const shot = picture_of(1, true, false), {width, height} = shot;
@@ -158,7 +169,8 @@ test('the saved picture has the chosen size and the look of the screen', async (
   const page = await open(holder.browser, 'small.html');
   await drawn(page);
   await page.locator('#factor').selectOption('2');
-  const [download] = await Promise.all([page.waitForEvent('download', {timeout: 120000}), page.locator('#save').click()]);
+  const [download] = await Promise.all(
+      [page.waitForEvent('download', {timeout: 120000}), page.locator('#save').click()]);
   const png = await readFile(await download.path());
   const stage = await page.locator('#stage').boundingBox();
   assert.equal(png.readUInt32BE(16), 2 * Math.round(stage.width));
@@ -180,7 +192,9 @@ test('a link brings the same view back, and a wrong one does no harm', async () 
   const [one, other] = [await state_of(page), await state_of(again)];
   assert.deepEqual([other.frame, other.cut, other.cut_at, other.field], [2, true, 1.5, 3]);
   assert.equal(other.range.length, one.range.length);
-  const wrong = await open(holder.browser, 'small.html', {hash: '#%7B%22frame%22%3A9e99%2C%22map%22%3A%22constructor%22%2C%22turn%22%3A%5B0%5D%7D'});
+  const wrong = await open(
+      holder.browser, 'small.html',
+      {hash: '#%7B%22frame%22%3A9e99%2C%22map%22%3A%22constructor%22%2C%22turn%22%3A%5B0%5D%7D'});
   await drawn(wrong);
   assert.deepEqual(wrong.complaints, []);
 });
@@ -189,7 +203,8 @@ test('one finger turns, two fingers zoom', async () => {
   const page = await open(holder.browser, 'small.html', {hasTouch: true});
   await drawn(page);
   const touch = await page.context().newCDPSession(page);
-  const send = (type, ...points) => touch.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+  const send = (type, ...points) => touch.send(
+      'Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
   const start = await state_of(page);
   await send('touchStart', [300, 300]);
   await send('touchMove', [360, 300]);

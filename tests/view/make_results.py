@@ -24,7 +24,10 @@ increments = 90
 checkpoint_every_seconds = 0
 frame_every_density = 0.003
 """
-HOSTILE = "</script><script>document.documentElement.dataset.hurt = 1</script><img src=x onerror=alert(1)>\"'&"
+HOSTILE = (
+    "</script><script>document.documentElement.dataset.hurt = 1</script>"
+    "<img src=x onerror=alert(1)>\"'&"
+)
 
 
 def replace_frames(path, frames):

@@ -1,4 +1,5 @@
-// Measures pages in headless Chromium with software GL, and prints the table of data/docs/viewing.md.
+// Measures pages in headless Chromium with software GL, and prints the table of
+// data/docs/viewing.md.
 //   VIEW_PACKAGES=FOLDER VIEW_RESULTS=. node tests/view/measure.mjs PAGE.html...
 import {statSync} from 'node:fs';
 import path from 'node:path';
@@ -18,7 +19,9 @@ async function rate(page) {
   return count / seconds;
 }
 
-console.log('| page | nodes | frames | size | first picture | fine picture | pictures per second, turning |');
+console.log(
+    '| page | nodes | frames | size | first picture | fine picture | ' +
+    'pictures per second, turning |');
 console.log('|---|---|---|---|---|---|---|');
 for (const file of process.argv.slice(2)) {
   const browser = await launch();
@@ -31,6 +34,7 @@ for (const file of process.argv.slice(2)) {
   const [nodes, frames] = await page.evaluate(() => [run.frames.at(-1).nodes, frame_count]);
   const pictures = await rate(page);
   const size = (statSync(file).size / 1e6).toFixed(2);
-  console.log(`| ${path.basename(file, '.html')} | ${nodes} | ${frames} | ${size} MB | ${first.toFixed(1)} s | ${fine.toFixed(1)} s | ${pictures.toFixed(1)} |`);
+  console.log(`| ${path.basename(file, '.html')} | ${nodes} | ${frames} | ${size} MB | ${
+      first.toFixed(1)} s | ${fine.toFixed(1)} s | ${pictures.toFixed(1)} |`);
   await browser.close();
 }

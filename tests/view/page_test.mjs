@@ -11,12 +11,16 @@ for (const [theme, width] of [['dark', 1100], ['light', 1100], ['dark', 480]]) {
   test(`axe finds nothing to mend, ${theme}, ${width} pixels wide`, async () => {
     const page = await open(holder.browser, 'small.html', {colorScheme: theme, width});
     await drawn(page);
-    await page.evaluate(() => document.querySelectorAll('details').forEach((part) => { part.open = true; }));
+    await page.evaluate(() => document.querySelectorAll('details').forEach((part) => {
+      part.open = true;
+    }));
     await page.evaluate(await readFile(from_packages.resolve('axe-core/axe.min.js'), 'utf8'));
-    const found = await page.evaluate(async () => (await axe.run()).violations.map((v) => [v.id, v.nodes.map((n) => n.html)]));
+    const found = await page.evaluate(
+        async () => (await axe.run()).violations.map((v) => [v.id, v.nodes.map((n) => n.html)]));
     assert.deepEqual(found, []);
     await page.keyboard.press('?');
-    const in_help = await page.evaluate(async () => (await axe.run('#help')).violations.map((v) => v.id));
+    const in_help =
+        await page.evaluate(async () => (await axe.run('#help')).violations.map((v) => v.id));
     assert.deepEqual(in_help, []);
   });
 }
@@ -32,14 +36,16 @@ test('provenance names version, commit, seed, residual, balance and configuratio
   const page = await open(holder.browser, 'small.html');
   await drawn(page);
   const text = await page.locator('#provenance').textContent();
-  for (const word of ['wirepack', 'commit', 'seed', 'residual', 'balance of work', 'command']) assert.ok(text.includes(word), word);
+  for (const word of ['wirepack', 'commit', 'seed', 'residual', 'balance of work', 'command'])
+    assert.ok(text.includes(word), word);
   assert.match(await page.locator('#config').textContent(), /\[cavity\]/);
 });
 
 test('the table has a line for every frame', async () => {
   const page = await open(holder.browser, 'small.html');
   await drawn(page);
-  assert.equal(await page.locator('#numbers tbody tr').count(), await page.evaluate(() => frame_count));
+  assert.equal(
+      await page.locator('#numbers tbody tr').count(), await page.evaluate(() => frame_count));
 });
 
 test('texts of the file and its name are shown and never run', async () => {

@@ -34,12 +34,16 @@ export function with_browser() {
 }
 
 // Opens a page from the disk, and notes whatever it complains of or asks the network for.
-export async function open(browser, name, {hash = '', width = 1100, height = 700, ...options} = {}) {
-  const context = await browser.newContext({viewport: {width, height}, acceptDownloads: true, ...options});
+export async function open(
+    browser, name, {hash = '', width = 1100, height = 700, ...options} = {}) {
+  const context =
+      await browser.newContext({viewport: {width, height}, acceptDownloads: true, ...options});
   const page = await context.newPage();
   page.complaints = [];
   page.requests = [];
-  page.on('console', (message) => { if (message.type() === 'error') page.complaints.push(message.text()); });
+  page.on('console', (message) => {
+    if (message.type() === 'error') page.complaints.push(message.text());
+  });
   page.on('pageerror', (error) => page.complaints.push(error.message));
   page.on('request', (request) => page.requests.push(request.url()));
   const file = path.isAbsolute(name) ? name : path.join(results, name);
@@ -48,7 +52,8 @@ export async function open(browser, name, {hash = '', width = 1100, height = 700
 }
 
 // Until the picture has all of its samples.
-export const drawn = (page) => page.waitForSelector('html[data-drawn]', {state: 'attached', timeout: 120000});
+export const drawn = (page) =>
+    page.waitForSelector('html[data-drawn]', {state: 'attached', timeout: 120000});
 
 // Changes the state as a link does, and waits for its picture.
 export async function show(page, changes) {
@@ -67,7 +72,10 @@ export async function luminance(browser, png) {
     const ink = new OffscreenCanvas(image.width, image.height).getContext('2d');
     ink.drawImage(image, 0, 0);
     const {data} = ink.getImageData(0, 0, image.width, image.height);
-    return Array.from({length: data.length / 4}, (_, k) => Math.round(0.2126 * data[4 * k] + 0.7152 * data[4 * k + 1] + 0.0722 * data[4 * k + 2]));
+    return Array.from(
+        {length: data.length / 4},
+        (_, k) =>
+            Math.round(0.2126 * data[4 * k] + 0.7152 * data[4 * k + 1] + 0.0722 * data[4 * k + 2]));
   }, png.toString('base64'));
   await page.context().close();
   return values;

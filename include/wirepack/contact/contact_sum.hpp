@@ -22,8 +22,8 @@ struct SelfContact {
 };
 
 /// Energy of all pairs; adds its derivative by the nodes (3 x N). The same as LineKernel::energy of
-/// each pair, but four pairs at a time. Summed in the order of the pairs, those with a free end behind
-/// all others; pairs that do not touch change no bit.
+/// each pair, but four pairs at a time. Summed in the order of the pairs, those with a free end
+/// behind all others; pairs that do not touch change no bit.
 Energy add_contact_energy(const LineKernel& kernel, const RodState& state,
                           std::span<const EdgeFour> pairs, Points& by_node);
 /// The same, and replaces `touching` by the pairs that touch, in the order of the sum.

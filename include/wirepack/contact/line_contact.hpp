@@ -34,9 +34,10 @@ struct LineGradient {
   Vec3 midpoint1, vector1, midpoint2, vector2;
 };
 
-/// The kernel: a pair at a distance below `touching_distance` costs k W / 2 overlap^2, W the product
-/// of its two weights, and k between its values for parallel lines and for a right angle: parallel
-/// strands have a stiffness per length, a crossing has one of its own, neither depends on the mesh.
+/// The kernel: a pair at a distance below `touching_distance` costs k W / 2 overlap^2, W the
+/// product of its two weights, and k between its values for parallel lines and for a right angle:
+/// parallel strands have a stiffness per length, a crossing has one of its own, neither depends on
+/// the mesh.
 struct LineKernel {
   double touching_distance;   ///< 2 a
   double edge_length;         ///< l
@@ -60,8 +61,8 @@ struct LineKernel {
 
   /// The touch of two lines; nothing when they are apart or meet outside the support of the pair.
   std::optional<LineContact> touch(const Line& first, const Line& second) const;
-  /// Second derivative of the energy of a pair that touches and has no free end, by the vector between
-  /// the midpoints (second to first) and both edge vectors.
+  /// Second derivative of the energy of a pair that touches and has no free end, by the vector
+  /// between the midpoints (second to first) and both edge vectors.
   Eigen::Matrix<double, 9, 9> second_derivative(const Line& first, const Line& second) const;
   /// Energy of the pair; sets its exact gradient when they touch (else leaves it alone).
   double energy(const Line& first, const Line& second, LineGradient& gradient) const;

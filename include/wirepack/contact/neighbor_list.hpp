@@ -13,8 +13,8 @@ struct EdgePair {
 };
 
 /// Pairs of one edge with some of four successive ones: those of the seconds start ... start + 3, a
-/// multiple of four on, whose bit is set. Strands run side by side, so that this is how pairs come, and
-/// four lie side by side in memory.
+/// multiple of four on, whose bit is set. Strands run side by side, so that this is how pairs come,
+/// and four lie side by side in memory.
 struct EdgeFour {
   Index first, start;
   unsigned listed;  ///< bit k stands for the pair (first, start + k)
@@ -49,7 +49,8 @@ class NeighborList {
   NeighborList() = default;
   NeighborList(const RodState& state, const ContactRange& range, double skin);
 
-  /// No edge has moved so far that a pair outside the list could touch, or come within `margin` of that.
+  /// No edge has moved so far that a pair outside the list could touch, or come within `margin` of
+  /// that.
   bool covers(const RodState& state, double margin = 0) const;
   std::span<const EdgeFour> fours() const { return fours_; }
   std::vector<EdgePair> pairs() const;

@@ -7,15 +7,16 @@
 
 namespace wirepack {
 
-/// Two touching points of the surfaces, followed with the material from a state at which they touch:
-/// the SurfaceSlip of finite motions. Levers turn with their edges, so the offset between both points
+/// Two touching points of the surfaces, followed with the material from a state at which they
+/// touch: the SurfaceSlip of finite motions. Levers turn with their edges, so the offset between
+/// both points
 ///
 ///   W = sum w_i r_i + sum R_k c_k - origin,    u = (1 - n n^T) W
 ///
 /// turns with the wire, and the length of u does not change in any rigid motion. The normal of two
-/// strands is along -(R_1 c_1 + R_2 c_2): it turns by the mean of both edges' rotations, as it does where
-/// strands of equal radius roll on each other. The wall does not move, nor does its normal. On an
-/// edge that grows as wire is fed, the points stay with their distance from its first node.
+/// strands is along -(R_1 c_1 + R_2 c_2): it turns by the mean of both edges' rotations, as it does
+/// where strands of equal radius roll on each other. The wall does not move, nor does its normal.
+/// On an edge that grows as wire is fed, the points stay with their distance from its first node.
 struct SurfaceAnchor {
   SurfaceSlip start;                ///< at the state of the anchor
   std::array<Vec3, 2> body_levers;  ///< c, in the frames of the edges

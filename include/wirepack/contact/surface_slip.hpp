@@ -10,8 +10,8 @@ namespace wirepack {
 /// How two touching surfaces slide: u = P (sum w_i dr_i + sum dphi_j x c_j), P = 1 - n n^T.
 /// dr_i moves a node, dphi_j rotates an edge (world axes: dphi = spin t + t x dt, all of the edge's
 /// turning), n is the normal and c_j the lever from the centreline of the edge to the surfaces'
-/// common point, with the sign that makes u first minus second surface. Displacements give the slip,
-/// velocities and angular velocities its rate. Exact for rigid motions: they give none.
+/// common point, with the sign that makes u first minus second surface. Displacements give the
+/// slip, velocities and angular velocities its rate. Exact for rigid motions: they give none.
 struct SurfaceSlip {
   struct NodePart {
     Index node = 0;
@@ -43,8 +43,9 @@ struct SurfaceSlip {
   }
 };
 
-/// Of two strands that touch at parameters s and t of their edges (points m + s e, |s| <= 1/2 inside),
-/// with the separation first minus second point: the surfaces meet half-way between both points.
+/// Of two strands that touch at parameters s and t of their edges (points m + s e, |s| <= 1/2
+/// inside), with the separation first minus second point: the surfaces meet half-way between both
+/// points.
 SurfaceSlip strand_slip(const RodState& state, Index first, double s, Index second, double t,
                         const Vec3& separation);
 

@@ -18,9 +18,9 @@ template <class T>
   return {sum, (a - (sum - from_b)) + (b - from_b)};
 }
 
-/// Energy together with the round-off of the sum that it came from. A minimum is flat: the last steps
-/// to it change the energy by less than one unit in the last place of its value, so energies are
-/// compared by their difference, in which the round-off counts.
+/// Energy together with the round-off of the sum that it came from. A minimum is flat: the last
+/// steps to it change the energy by less than one unit in the last place of its value, so energies
+/// are compared by their difference, in which the round-off counts.
 class Energy {
  public:
   Energy(double value = 0, double round_off = 0) : value_(value), round_off_(round_off) {}

@@ -30,8 +30,9 @@ inline Lanes select(const LaneMask& condition, const Lanes& a, Lanes b) {
   return b;
 }
 
-/// Calls f.operator()<Lanes>(j) for j = first, first + 4, ... and f.operator()<double>(j) for what is
-/// left before `end`: one formula, templated on the number, for the inside of the wire and its rest.
+/// Calls f.operator()<Lanes>(j) for j = first, first + 4, ... and f.operator()<double>(j) for what
+/// is left before `end`: one formula, templated on the number, for the inside of the wire and its
+/// rest.
 template <class F>
 [[gnu::always_inline]] inline void for_each_in_lanes(Index first, Index end, F&& f) {
   for (; first + lane_count <= end; first += lane_count) f.template operator()<Lanes>(first);

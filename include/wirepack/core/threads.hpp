@@ -14,10 +14,10 @@ namespace detail {
 void run_shared(Index count, void (*call)(void* work, Index number), void* work);
 }
 
-/// f(start, end) for the tiles of 0 ... size - 1, `width` each and the last one what is left: one after
-/// the other or, if it is worth it (`shared`), by the threads at hand, in any order. Tiles must not
-/// write to the same place. They do not depend on the number of threads, so neither does what is
-/// computed within each.
+/// f(start, end) for the tiles of 0 ... size - 1, `width` each and the last one what is left: one
+/// after the other or, if it is worth it (`shared`), by the threads at hand, in any order. Tiles
+/// must not write to the same place. They do not depend on the number of threads, so neither does
+/// what is computed within each.
 template <class F>
 void for_each_tile(Index size, Index width, bool shared, F&& f) {
   const Index count = (size + width - 1) / width;

@@ -16,9 +16,9 @@ struct DampingPower {
 /// at gravity / g; per length of wire the coefficient is g rho pi a^2.
 ///
 /// w is the motion of a wire that is fed along itself at feed_speed: -feed_speed times the tangent,
-/// 0 where nothing is fed. All of a packed wire slides along its own line while it is fed, so a drag
-/// against the cavity's frame would add g rho pi a^2 L feed_speed to the injection force (several
-/// times the force itself in long runs); this one damps what departs from that motion.
+/// 0 where nothing is fed. All of a packed wire slides along its own line while it is fed, so a
+/// drag against the cavity's frame would add g rho pi a^2 L feed_speed to the injection force
+/// (several times the force itself in long runs); this one damps what departs from that motion.
 ///
 /// Adds to the rates; held coordinates are left alone.
 DampingPower add_damping(double rate, const DynamicState& state, const WireMotion& motion,

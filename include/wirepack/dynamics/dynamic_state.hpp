@@ -8,8 +8,8 @@ namespace wirepack {
 
 /// A moving wire: plain data, everything that the next step depends on but the memory of friction.
 ///
-/// Unknowns are the nodes and, for each frame, its spin angle about its own tangent. The frame of an
-/// edge is kept exactly adapted: from one moment to the next it is carried along by parallel
+/// Unknowns are the nodes and, for each frame, its spin angle about its own tangent. The frame of
+/// an edge is kept exactly adapted: from one moment to the next it is carried along by parallel
 /// transport from the old to the new tangent t (the smallest rotation), then turned about the new
 /// tangent by the change of its spin angle. Its angular velocity is therefore
 ///
@@ -36,8 +36,8 @@ DynamicState at_rest(RodState rod, double step);
 /// Gives every node and frame a velocity, and zeroes all higher derivatives.
 void set_velocities(DynamicState& state, const Points& velocity, const Eigen::VectorXd& spin_rate);
 
-/// Adds to the turns of the edges that are not made yet what transport along the last step differs by
-/// from transport along its chord; nodes and their derivatives are those at the end of the step.
+/// Adds to the turns of the edges that are not made yet what transport along the last step differs
+/// by from transport along its chord; nodes and their derivatives are those at the end of the step.
 void add_holonomy(DynamicState& state);
 
 /// Takes rod.nodes from column 0 of `nodes` and lets the frames follow: transport to the new

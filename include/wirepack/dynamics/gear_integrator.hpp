@@ -8,8 +8,8 @@ namespace wirepack {
 /// Takes the state to the end of its step as far as it is known before forces are: the prediction
 /// of nodes, spins and frames, the time, and the fed length.
 void begin_step(DynamicState& state);
-/// Corrects the prediction with the accelerations at it. `rod` stays at the prediction, which is off by
-/// the order of the scheme; follow_nodes() brings it along.
+/// Corrects the prediction with the accelerations at it. `rod` stays at the prediction, which is
+/// off by the order of the scheme; follow_nodes() brings it along.
 void end_step(DynamicState& state, const Rates& rates);
 
 /// One step of the predictor-corrector. `set_rates_of(state, rates)` is called once, at the

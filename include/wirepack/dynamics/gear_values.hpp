@@ -21,8 +21,8 @@ inline constexpr GearWeights gear_weights_position{3.0 / 20,  251.0 / 360, 1,
                                                    11.0 / 18, 1.0 / 6,     1.0 / 60};
 
 /// The scheme is only just stable: the spectral radius of its step for an undamped oscillator of
-/// frequency omega stays at 1 up to h omega = 0.31, and beyond exceeds it by 2.1e-5 at 0.4, 1.9e-4 at
-/// 0.5, 1.1e-3 at 0.62. Damping must make up for that, and may not be large either: with damping
+/// frequency omega stays at 1 up to h omega = 0.31, and beyond exceeds it by 2.1e-5 at 0.4, 1.9e-4
+/// at 0.5, 1.1e-3 at 0.62. Damping must make up for that, and may not be large either: with damping
 /// ratios 0.01, 0.05, 0.1, 0.2, 0.5 it is stable up to h omega = 0.76, 0.63, 0.50, 0.34, 0.16.
 inline constexpr double gear_undamped_limit = 0.31;
 

@@ -11,8 +11,8 @@ namespace wirepack {
 /// length, the frame of an edge rho pi a^4 / 2 times the rest length of the edge about its tangent,
 /// and the frame of a clamp that of half an edge of wire in the nozzle.
 ///
-/// Rotary inertia of the cross-section about transverse axes is left out (it is smaller than that of
-/// the lumped masses by a^2 k^2 / 4 for waves of wave number k).
+/// Rotary inertia of the cross-section about transverse axes is left out (it is smaller than that
+/// of the lumped masses by a^2 k^2 / 4 for waves of wave number k).
 struct Inertia {
   double density;                ///< rho [mass / length^3]
   Eigen::VectorXd mass;          ///< N

@@ -9,14 +9,14 @@
 
 namespace wirepack {
 
-/// Gaps below this, over the wire radius, count as closed in curvature models: a contact that forms on
-/// the way is far stiffer than all else, so a model that does not know of it fits badly.
+/// Gaps below this, over the wire radius, count as closed in curvature models: a contact that forms
+/// on the way is far stiffer than all else, so a model that does not know of it fits badly.
 inline constexpr double nearly_touching = 1e-3;
 
 /// Model of the Hessian in the unknowns of a chart, at the chart's reference, between two: a sum of
 /// squares w g g^T, g the gradient of a strain, gap or other scalar, which is positive semidefinite
-/// (Gauss and Newton's); and the Hessian, which also knows how forces turn with the wire but need not be
-/// positive. Energy terms add both by nodes, spins and blocks and see no numbering.
+/// (Gauss and Newton's); and the Hessian, which also knows how forces turn with the wire but need
+/// not be positive. Energy terms add both by nodes, spins and blocks and see no numbering.
 class CurvatureModel {
  public:
   struct NodePart {
@@ -32,25 +32,29 @@ class CurvatureModel {
   explicit CurvatureModel(const FrameChart& chart, double exactness = 0);
 
   const FrameChart& chart() const { return *chart_; }
-  /// A term that knows its Hessian adds its squares with 1 - exactness and its Hessian with exactness.
+  /// A term that knows its Hessian adds its squares with 1 - exactness and its Hessian with
+  /// exactness.
   double exactness() const { return exactness_; }
 
-  /// Adds weight g g^T for a scalar with these derivatives; weight >= 0, at most 4 nodes and 2 frames.
+  /// Adds weight g g^T for a scalar with these derivatives; weight >= 0, at most 4 nodes and 2
+  /// frames.
   void add_square(double weight, std::span<const NodePart> nodes,
                   std::span<const FramePart> frames = {});
-  /// Adds weight times a Hessian by these blocks of the chart, all different and at most 4: symmetric,
-  /// four slots (x, y, z, angle) of each block.
+  /// Adds weight times a Hessian by these blocks of the chart, all different and at most 4:
+  /// symmetric, four slots (x, y, z, angle) of each block.
   using Hessian = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 16, 16>;
   void add_hessian(double weight, const Hessian& hessian, std::span<const Index> blocks);
   /// Adds a symmetric positive semidefinite 3 x 3 block at one node.
   void add_node_block(Index node, const Mat3& value);
 
-  /// Lower triangle in the chart's numbering, with shifts added on the diagonal: of places and of angles.
+  /// Lower triangle in the chart's numbering, with shifts added on the diagonal: of places and of
+  /// angles.
   Eigen::SparseMatrix<double> lower_triangle(double shift, double angle_shift) const;
 
  private:
-  // A block of four slots by four of the lower triangle is found by its column: the first three, which
-  // the wire itself couples, have fixed places; others, of contacts, are chained from the third.
+  // A block of four slots by four of the lower triangle is found by its column: the first three,
+  // which the wire itself couples, have fixed places; others, of contacts, are chained from the
+  // third.
   static constexpr Index band = 3;
   struct Place {
     Index row;  // -1: not used

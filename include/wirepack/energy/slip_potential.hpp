@@ -29,12 +29,12 @@ struct SlipWork {
 ///
 ///   D = sum over contacts of k f(|u|),   f = u^2 / 2 below e,  e |u| - e^2 / 2 above,
 ///
-/// u the slip of the surfaces at the material points that are in touch when the increment starts. The
-/// normal forces N are those of the start. k = mu_s N / slip tolerance, and e = slip tolerance, so a
-/// contact is held by up to k e = mu_s N; where it slid in the last increment, by more than the slip
-/// tolerance, e = slip tolerance mu_d / mu_s, and it is held by up to mu_d N. What u has gone beyond e is
-/// dissipated, the rest is kept in a spring that the next increment starts with, so what rests does
-/// not creep.
+/// u the slip of the surfaces at the material points that are in touch when the increment starts.
+/// The normal forces N are those of the start. k = mu_s N / slip tolerance, and e = slip tolerance,
+/// so a contact is held by up to k e = mu_s N; where it slid in the last increment, by more than
+/// the slip tolerance, e = slip tolerance mu_d / mu_s, and it is held by up to mu_d N. What u has
+/// gone beyond e is dissipated, the rest is kept in a spring that the next increment starts with,
+/// so what rests does not creep.
 class SlipPotential {
  public:
   static constexpr std::string_view name = "friction";
@@ -42,14 +42,15 @@ class SlipPotential {
                 const FrictionParams& friction);
 
   /// An increment starts at `state` with these contacts, forces of the wall on nodes (N), and what
-  /// the last increment handed on. Every node but the last, which the nozzle holds, is held by the wall.
+  /// the last increment handed on. Every node but the last, which the nozzle holds, is held by the
+  /// wall.
   void start(const RodState& state, std::span<const SelfContact> touches,
              const Eigen::VectorXd& wall_forces, std::span<const SlipMemory> memory);
-  /// Adds the contacts that have formed on the way from the start of the increment, `before`, to `now`,
-  /// with the forces that they have now: each is held from where it came into touch, if the way was
-  /// straight; from `before` on if it nearly touched there. Contacts handed on between neighbouring edges
-  /// are old ones. One that has slid by more than `usual_slip` since then was missed, its way says nothing: it
-  /// is held from `before`.
+  /// Adds the contacts that have formed on the way from the start of the increment, `before`, to
+  /// `now`, with the forces that they have now: each is held from where it came into touch, if the
+  /// way was straight; from `before` on if it nearly touched there. Contacts handed on between
+  /// neighbouring edges are old ones. One that has slid by more than `usual_slip` since then was
+  /// missed, its way says nothing: it is held from `before`.
   struct Joined {
     Index count = 0;
     bool missed = false;  ///< one of them

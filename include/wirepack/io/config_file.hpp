@@ -19,12 +19,12 @@ struct ConfigOverride {
 };
 
 /// The scenario of a TOML configuration. Keys that are not given take the values of
-/// default_scenario() for the given setup, cavity.radius, wire.radius and wire.youngs_modulus, which
-/// may be given as stiffnesses, a persistence length or a wound coil (data/docs/stiffness.md);
-/// insertion.increment follows a given wire.edge_length; any given stop limit replaces the default
-/// one. wire.precurvature = k is the rest shape (0, k, 0). wire.reference_shape takes its place: the name
-/// of a shape file (shape_file.hpp), relative to the folder of `source`, or to that of an
-/// override; or its rows.
+/// default_scenario() for the given setup, cavity.radius, wire.radius and wire.youngs_modulus,
+/// which may be given as stiffnesses, a persistence length or a wound coil
+/// (data/docs/stiffness.md); insertion.increment follows a given wire.edge_length; any given stop
+/// limit replaces the default one. wire.precurvature = k is the rest shape (0, k, 0).
+/// wire.reference_shape takes its place: the name of a shape file (shape_file.hpp), relative to the
+/// folder of `source`, or to that of an override; or its rows.
 ///
 /// Throws InvalidInput with one line per problem, "file:line:column: section.key = value: what is
 /// allowed", for all problems at once: syntax, unknown sections and keys, wrong types, impossible
@@ -62,8 +62,8 @@ std::vector<std::string> given_keys(const std::filesystem::path& file,
 std::optional<std::string> continuation_conflict(const Scenario& was, const Scenario& now,
                                                  const std::vector<std::string>& given = {});
 
-/// Differences in [minimizer] and [insertion], which say how the next equilibrium is looked for: a run
-/// that has found none may go on with other values.
+/// Differences in [minimizer] and [insertion], which say how the next equilibrium is looked for: a
+/// run that has found none may go on with other values.
 std::vector<std::string> search_changes(const Scenario& was, const Scenario& now);
 
 }  // namespace wirepack

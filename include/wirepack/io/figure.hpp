@@ -29,8 +29,8 @@ struct FigureRun {
 /// whole.
 std::vector<std::string> figure_files(const std::vector<std::string>& names);
 
-/// packing: the wire of a frame as a tube in the outline of its cavity, coloured by bending energy per
-/// length over YI / (2 R^2).
+/// packing: the wire of a frame as a tube in the outline of its cavity, coloured by bending energy
+/// per length over YI / (2 R^2).
 void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame);
 
@@ -38,8 +38,9 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
 void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame);
 
-/// force: F R^2 / YI against the packing density, with the inverse-spool model; log axis. Here and below
-/// runs that differ in their seeds alone are one curve: their mean, in a band of its standard error.
+/// force: F R^2 / YI against the packing density, with the inverse-spool model; log axis. Here and
+/// below runs that differ in their seeds alone are one curve: their mean, in a band of its standard
+/// error.
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// energy: E_bend R / YI and E_twist R / YI against the packing density, with the same model.
@@ -49,13 +50,14 @@ void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
 void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// phi_max: the packing density at which F R^2 / YI, as a mean over an edge length, first reaches
-/// `threshold` after the first coil, against a / R; log axes. With power laws fitted to the runs of either setup, and published
-/// numbers (data/published). Draws nothing and returns false where no run reaches it.
+/// `threshold` after the first coil, against a / R; log axes. With power laws fitted to the runs of
+/// either setup, and published numbers (data/published). Draws nothing and returns false where no
+/// run reaches it.
 bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
                   double threshold);
 
-/// bend_distribution: how the bending energies of the shown frames' joints over their mean are spread,
-/// with the log-normal law of greatest likelihood, and the published one.
+/// bend_distribution: how the bending energies of the shown frames' joints over their mean are
+/// spread, with the log-normal law of greatest likelihood, and the published one.
 void draw_bend_distribution(const std::filesystem::path& folder,
                             const std::vector<FigureRun>& runs);
 

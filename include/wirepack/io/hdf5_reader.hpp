@@ -14,10 +14,10 @@
 
 namespace wirepack {
 
-/// Reads a result file. What is read is what was written: it has checksums since format version 3, and
-/// its values are looked at. Nothing but the file itself is opened. It stays on the file it has opened, also when a run replaces that by a
-/// newer one. Everything throws FileError with the path and what is wrong: missing, not HDF5,
-/// not of wirepack, of another format version, damaged.
+/// Reads a result file. What is read is what was written: it has checksums since format version 3,
+/// and its values are looked at. Nothing but the file itself is opened. It stays on the file it has
+/// opened, also when a run replaces that by a newer one. Everything throws FileError with the path
+/// and what is wrong: missing, not HDF5, not of wirepack, of another format version, damaged.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& file);
@@ -31,11 +31,11 @@ class Hdf5Reader {
   /// guide.
   PackingFrame frame(std::int64_t increment) const;
   bool has_column(const std::string& name) const;
-  /// Where the run was at the last flush, for its continuation; where that is damaged, and there is one,
-  /// progress_before().
+  /// Where the run was at the last flush, for its continuation; where that is damaged, and there is
+  /// one, progress_before().
   PackingProgress progress() const;
-  /// Where the run was at the flush before; of a finished run, before its last increment. Nothing: there
-  /// is none, or it is damaged.
+  /// Where the run was at the flush before; of a finished run, before its last increment. Nothing:
+  /// there is none, or it is damaged.
   std::optional<PackingProgress> progress_before() const;
   /// What is wrong with where the run was at the last flush. Empty: nothing.
   std::string damage() const;

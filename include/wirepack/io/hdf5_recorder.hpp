@@ -18,17 +18,17 @@ namespace wirepack {
 class Hdf5Handle;
 
 /// Collects rows and frames of a run and keeps the result file: see data/docs/result_file.md. The
-/// file on the disk is never open between two calls, and is only ever replaced as a whole, so it can be read at
-/// any moment of the run, also after a kill -9 or on a full disk.
+/// file on the disk is never open between two calls, and is only ever replaced as a whole, so it
+/// can be read at any moment of the run, also after a kill -9 or on a full disk.
 class Hdf5Recorder {
  public:
   /// Begins a new result; a file of that name is replaced by the first flush().
   Hdf5Recorder(const std::filesystem::path& file, const Scenario& scenario,
                std::string command_line);
-  /// Goes on with the result in `file`, which must be one of wirepack (see Hdf5Reader), from one of the
-  /// progresses that it holds: what lies behind that is dropped. Limits and output of the scenario may
-  /// have changed; `command_line` is added as one more line to those kept. The first flush() makes the
-  /// file anew, of what wirepack knows in it. Throws FileError.
+  /// Goes on with the result in `file`, which must be one of wirepack (see Hdf5Reader), from one of
+  /// the progresses that it holds: what lies behind that is dropped. Limits and output of the
+  /// scenario may have changed; `command_line` is added as one more line to those kept. The first
+  /// flush() makes the file anew, of what wirepack knows in it. Throws FileError.
   static Hdf5Recorder continuing(const std::filesystem::path& file, const Scenario& scenario,
                                  const std::string& command_line, const PackingProgress& from);
 
@@ -42,9 +42,10 @@ class Hdf5Recorder {
   void note(const std::string& name, std::string text) { notes_[name] = std::move(text); }
 
   /// Brings what was added and the progress to the disk, with the reason of the stop if the run is
-  /// over. `progress` must be that after the last row added; that of the flush before is kept beside it,
-  /// for the case that it gets damaged, or that the run is to go on beyond its end. Throws FileError with path and reason;
-  /// then the old file is intact and what was added is kept for the next flush.
+  /// over. `progress` must be that after the last row added; that of the flush before is kept
+  /// beside it, for the case that it gets damaged, or that the run is to go on beyond its end.
+  /// Throws FileError with path and reason; then the old file is intact and what was added is kept
+  /// for the next flush.
   void flush(const PackingProgress& progress, std::optional<StopReason> stop = std::nullopt);
 
  private:

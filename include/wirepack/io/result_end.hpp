@@ -18,8 +18,9 @@ std::optional<StopReason> end_of(const Hdf5Reader& reader, const Scenario& scena
 /// The run found no way on: a result, but none that has reached a limit.
 bool found_no_equilibrium(StopReason reason);
 
-/// Where a run goes on with a result, to the same bits as an undisturbed one: at its last increment; or
-/// before that, if a limit has ended it there, which may have cut the increment short.
+/// Where a run goes on with a result, to the same bits as an undisturbed one: at its last
+/// increment; or before that, if a limit has ended it there, which may have cut the increment
+/// short.
 PackingProgress place_to_go_on(const Hdf5Reader& reader);
 
 }  // namespace wirepack

@@ -32,9 +32,9 @@ struct SweepChange {
   std::vector<std::string> changed;  ///< tasks whose limits or output are others than before
 };
 
-/// Brings the folder in line with a sweep, whose order of tasks is kept in the list. Removes nothing.
-/// Throws InvalidInput, before anything is written, when a folder holds another configuration under
-/// the name of a task, or a list that is none; FileError.
+/// Brings the folder in line with a sweep, whose order of tasks is kept in the list. Removes
+/// nothing. Throws InvalidInput, before anything is written, when a folder holds another
+/// configuration under the name of a task, or a list that is none; FileError.
 SweepChange write_sweep(const std::filesystem::path& folder, const Sweep& sweep);
 
 /// Throws InvalidInput when the folder is not one of a sweep.

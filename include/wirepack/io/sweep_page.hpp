@@ -15,9 +15,9 @@ struct SweepPageTask {
   double seconds_left;  ///< negative: nobody knows
 };
 
-/// Writes status.html into the folder of a sweep, in place of an earlier one: state, density and hours
-/// of its tasks, a small picture of each wire (seen along y) and a small curve of its force. Returns
-/// its path; throws FileError.
+/// Writes status.html into the folder of a sweep, in place of an earlier one: state, density and
+/// hours of its tasks, a small picture of each wire (seen along y) and a small curve of its force.
+/// Returns its path; throws FileError.
 std::filesystem::path write_sweep_page(const std::filesystem::path& folder,
                                        const std::string& summary,
                                        const std::vector<SweepPageTask>& tasks);

@@ -18,8 +18,8 @@ struct SweepScriptOptions {
   int most_restarts = 50;  ///< of a job of Slurm that reaches its time limit
 };
 
-/// Writes what the engine needs to run these tasks into the folder of a sweep (see sweep_folder.hpp):
-/// slurm.sh or parallel.sh. Throws FileError.
+/// Writes what the engine needs to run these tasks into the folder of a sweep (see
+/// sweep_folder.hpp): slurm.sh or parallel.sh. Throws FileError.
 std::filesystem::path write_sweep_script(const std::filesystem::path& folder, SweepEngine engine,
                                          const std::vector<std::string>& tasks,
                                          const SweepScriptOptions& options);

@@ -18,8 +18,8 @@ struct CoilReport {
   double tip_rotation() const { return twist + writhe; }
 };
 
-/// Of a wire that is fed along the unit vector `feed`. Axes within 60 degrees of the common axis count
-/// as loops in one sense or the other. Zeros where the wire has not made a turn yet.
+/// Of a wire that is fed along the unit vector `feed`. Axes within 60 degrees of the common axis
+/// count as loops in one sense or the other. Zeros where the wire has not made a turn yet.
 CoilReport coil_report(const RodState& state, const Vec3& feed);
 
 }  // namespace wirepack

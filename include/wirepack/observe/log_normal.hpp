@@ -16,8 +16,8 @@ struct LogNormalFit {
   double fitted_mean() const;  ///< exp(mu + sigma^2 / 2)
 };
 
-/// Maximum likelihood: mean and deviation (divided by n) of the logarithms. Values that are not above
-/// zero are left out. All zero when fewer than two are left.
+/// Maximum likelihood: mean and deviation (divided by n) of the logarithms. Values that are not
+/// above zero are left out. All zero when fewer than two are left.
 LogNormalFit fit_log_normal(std::span<const double> values);
 
 /// Values over their mean, without those of no energy; as the paper shows E_b / <E_b>.

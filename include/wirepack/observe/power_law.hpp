@@ -5,8 +5,8 @@
 
 namespace wirepack {
 
-/// y = factor x^exponent by least squares of log y against log x. Errors are standard deviations over
-/// bootstrap samples of the points (runs), drawn with replacement.
+/// y = factor x^exponent by least squares of log y against log x. Errors are standard deviations
+/// over bootstrap samples of the points (runs), drawn with replacement.
 struct PowerLaw {
   double exponent, exponent_error;
   double factor, factor_error;

@@ -13,8 +13,8 @@ namespace wirepack {
 double writhe(const Points& nodes, bool closed);
 double writhe(const RodState& state);
 
-/// Writhe, and the same sum of absolute values: the number of crossings seen, mean over all directions
-/// to look from (Freedman & He 1991; Buck & Simon 2012). Shared by the threads at hand.
+/// Writhe, and the same sum of absolute values: the number of crossings seen, mean over all
+/// directions to look from (Freedman & He 1991; Buck & Simon 2012). Shared by the threads at hand.
 struct CrossingSums {
   double writhe = 0, average_crossing_number = 0;
 };

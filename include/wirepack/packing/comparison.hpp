@@ -38,7 +38,8 @@ struct SeedMean {
   int seeds = 0;
 };
 
-/// One quantity at the densities of the comparison, in each way; none where a way has no value there.
+/// One quantity at the densities of the comparison, in each way; none where a way has no value
+/// there.
 struct ComparedQuantity {
   std::string name, unit;
   double tolerance;  ///< between dynamic and quasistatic without friction
@@ -52,8 +53,8 @@ struct ComparedQuantity {
   std::optional<double> mean_difference() const;
 };
 
-/// Where the work of insertion went in a run with friction, per inserted length over the whole common
-/// range [YI/R^2].
+/// Where the work of insertion went in a run with friction, per inserted length over the whole
+/// common range [YI/R^2].
 struct ForceBudget {
   Way way;
   double force = 0;     ///< mean injection force
@@ -78,12 +79,12 @@ struct Comparison {
   std::vector<Cost> costs;                   ///< mean over seeds
 };
 
-/// Densities up to the largest at which runs are compared: those beyond which the wire has curled up
-/// (4 R). None: the runs would end too early.
+/// Densities up to the largest at which runs are compared: those beyond which the wire has curled
+/// up (4 R). None: the runs would end too early.
 std::vector<double> compared_densities(const Scenario& scenario, double largest);
 
-/// Sets runs of one scenario side by side, with several seeds or one. The common range ends where the
-/// first of them does. Throws InvalidInput when that is before the wire has curled up (4 R).
+/// Sets runs of one scenario side by side, with several seeds or one. The common range ends where
+/// the first of them does. Throws InvalidInput when that is before the wire has curled up (4 R).
 Comparison compare(const std::vector<ComparedRun>& runs);
 
 }  // namespace wirepack

@@ -25,8 +25,8 @@ std::optional<double> in_newtons(const DeclaredUnits& units);
 std::optional<double> thermal_energy(double temperature, const DeclaredUnits& units);
 
 /// A force or an energy of the configuration, such as "0.0123 (units of the configuration)", or
-/// with declared units "0.123 N" (or another prefix, for large and small ones) and "4.56 uJ"; energies
-/// of molecules are over k_B T at 300 K.
+/// with declared units "0.123 N" (or another prefix, for large and small ones) and "4.56 uJ";
+/// energies of molecules are over k_B T at 300 K.
 std::string shown_force(double force, const DeclaredUnits& units);
 std::string shown_energy(double energy, const DeclaredUnits& units);
 

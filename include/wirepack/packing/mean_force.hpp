@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "wirepack/packing/history.hpp"
+#include "wirepack/packing/scenario.hpp"
 
 namespace wirepack {
 
@@ -16,10 +17,10 @@ struct ForceReading {
 /// Adds the reading of a row and drops those that the mean over `edge_length` needs no more.
 void note_force(double edge_length, const HistoryRow& row, std::vector<ForceReading>& recent);
 
-/// Mean injection force over the last `edge_length` of wire fed. The force alternates with the phase of the
-/// mesh, once an edge, and how high a peak is read depends on the increments; the mean is that of the wire.
-/// Trapezoids between readings; increments of a whole edge read one phase alone, at which the force is its
-/// mean: the reading itself. Nothing before so much has been fed.
+/// Mean injection force over the last `edge_length` of wire fed. The force alternates with the
+/// phase of the mesh, once an edge, and how high a peak is read depends on the increments; the mean
+/// is that of the wire. Trapezoids between readings; increments of a whole edge read one phase
+/// alone, at which the force is its mean: the reading itself. Nothing before so much has been fed.
 std::optional<double> mean_force(double edge_length, std::span<const ForceReading> recent);
 
 /// That mean at a packing density.
@@ -27,8 +28,10 @@ struct MeanForce {
   double packing_density, force;
 };
 
-/// The means at all rows that have one.
-std::vector<MeanForce> mean_forces(double edge_length, const std::vector<HistoryRow>& history);
+/// The means of a run after its first coil (first_coil_length): the straight wire before it buckles
+/// at a force that says nothing of the packing.
+std::vector<MeanForce> mean_forces(const Scenario& scenario,
+                                   const std::vector<HistoryRow>& history);
 
 /// Density at which the mean force first reaches `force`; nothing where it stays below.
 std::optional<double> density_at_force(const std::vector<MeanForce>& means, double force);

@@ -21,7 +21,8 @@ Observation observe(PackingModel& model, const RodState& rod);
 /// A row with what a state alone says: lengths, energies but the total, contacts, overlap.
 HistoryRow row_of(const PackingModel& model, const RodState& rod, const Observation& observed);
 
-/// Notes the force of the last row, and the levels that its mean over an edge length is the first to reach.
+/// Notes the force of the last row, and the levels that its mean over an edge length is the first
+/// to reach.
 void note_force(const Scenario& scenario, PackingProgress& progress);
 
 /// phi has grown by output.frame_every_density since the last frame.

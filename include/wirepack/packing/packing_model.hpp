@@ -13,7 +13,8 @@
 namespace wirepack {
 
 /// What a scenario is made of: the wire and the nozzle of its seed, the energy terms, and how an
-/// equilibrium is looked for in its units. Terms refer to each other's place, so a model stays where it is.
+/// equilibrium is looked for in its units. Terms refer to each other's place, so a model stays
+/// where it is.
 struct PackingModel {
   /// `extra` are terms of the caller's own; they must outlive the model.
   explicit PackingModel(const Scenario& scenario, const EnergyTerms& extra = {});
@@ -37,12 +38,14 @@ struct PackingModel {
 /// Brings the wire to a minimum of the energy and of what friction dissipates on the way.
 EquilibriumReport minimize(PackingModel& model, RodState& rod);
 
-/// Moves a wire that has come to rest on a saddle down from it; see leave_saddle (solve/stability.hpp).
+/// Moves a wire that has come to rest on a saddle down from it; see leave_saddle
+/// (solve/stability.hpp).
 bool leave_saddle(PackingModel& model, RodState& rod, EquilibriumReport& report);
 
-/// Brings the tip nearly to rest, all else held. A tip that has been pushed on may stick in the wall or in
-/// a strand, with more energy than the whole wire has. Relaxing a few nodes there first keeps that local
-/// energy from disturbing the whole wire. Nothing for a wire that is hardly more than a tip.
+/// Brings the tip nearly to rest, all else held. A tip that has been pushed on may stick in the
+/// wall or in a strand, with more energy than the whole wire has. Relaxing a few nodes there first
+/// keeps that local energy from disturbing the whole wire. Nothing for a wire that is hardly more
+/// than a tip.
 SolverWork settle_tip(PackingModel& model, RodState& rod);
 
 }  // namespace wirepack

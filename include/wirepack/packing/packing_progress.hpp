@@ -15,7 +15,8 @@
 namespace wirepack {
 
 /// Density at which the mean force over an edge length first went through a level; phi_max at any
-/// threshold can be read off afterwards. Levels are decades and half-decades (1, sqrt(10), 10, ...).
+/// threshold can be read off afterwards. Levels are decades and half-decades (1, sqrt(10), 10,
+/// ...).
 struct ForceCrossing {
   double level;
   double packing_density;
@@ -29,8 +30,9 @@ struct MotionProgress {
   EnergyFlow flow;  ///< at the last step
 };
 
-/// Everything a run needs to go on, bit for bit, from the last accepted increment. Units are those that
-/// the run is computed in: of its own wire in a PackingRun and in result files (see in_own_units).
+/// Everything a run needs to go on, bit for bit, from the last accepted increment. Units are those
+/// that the run is computed in: of its own wire in a PackingRun and in result files (see
+/// in_own_units).
 struct PackingProgress {
   RodState rod;
   HistoryRow last;  ///< of the last accepted increment; zeros at the start

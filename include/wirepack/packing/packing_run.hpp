@@ -9,9 +9,9 @@
 
 namespace wirepack {
 
-/// One packing run by the method of its scenario, in any units: it is computed in units of its own wire,
-/// so that the same scenario in other units is the same run. Rows and frames have the units of the
-/// scenario, the progress those of the wire. See QuasistaticPacking and DynamicPacking.
+/// One packing run by the method of its scenario, in any units: it is computed in units of its own
+/// wire, so that the same scenario in other units is the same run. Rows and frames have the units
+/// of the scenario, the progress those of the wire. See QuasistaticPacking and DynamicPacking.
 class PackingRun {
  public:
   explicit PackingRun(const Scenario& scenario);

@@ -43,8 +43,8 @@ struct DynamicsOptions {
   std::optional<double> time_step;        ///< "auto": from the stiffest mode [time]
 };
 
-/// What the seed makes of the wire and the nozzle, so that runs with different seeds are independent:
-/// amplitudes of uniform distributions (see drawn_setup).
+/// What the seed makes of the wire and the nozzle, so that runs with different seeds are
+/// independent: amplitudes of uniform distributions (see drawn_setup).
 struct ImperfectionOptions {
   double natural_curvature = 0;  ///< rest curvature of the wire, over 1 / R
   double nozzle_offset = 0;      ///< of the nozzle along the wall, over the wire radius
@@ -81,7 +81,8 @@ struct Scenario {
 /// curvature 1 / (2 R) whose rotation is blocked. Edges are R / 10 long, R / 20 in high torsion
 /// (whose force is so small that the mesh at the inlet shows sooner), but a/2 at least and 2 a at
 /// most; increments are half an edge, stiffnesses of contacts are Y, and the run ends at
-/// F R^2 / YI = 10. Runs with inertia have Coulomb friction, which multiplies the force, and end at 30.
+/// F R^2 / YI = 10. Runs with inertia have Coulomb friction, which multiplies the force, and end at
+/// 30.
 Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius = 1,
                           double youngs_modulus = 5, Method method = Method::quasistatic);
 

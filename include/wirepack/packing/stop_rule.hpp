@@ -20,8 +20,8 @@ enum class StopReason {
 };
 std::string_view name_of(StopReason reason);
 
-/// The limit of the scenario that a run has reached with this row, if any. Limits of the force ask for
-/// `force`, the mean over the last edge length of wire; nothing: it is not known yet.
+/// The limit of the scenario that a run has reached with this row, if any. Limits of the force ask
+/// for `force`, the mean over the last edge length of wire; nothing: it is not known yet.
 std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryRow& row,
                                         std::optional<double> force);
 /// The same of the last row.

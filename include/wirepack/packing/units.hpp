@@ -4,8 +4,8 @@
 
 namespace wirepack {
 
-/// What the numbers of a packing are measured in. Radius, Young's modulus and density of the wire make
-/// units of everything; forces and energies of its bending are seen over YI/R^2 and YI/R.
+/// What the numbers of a packing are measured in. Radius, Young's modulus and density of the wire
+/// make units of everything; forces and energies of its bending are seen over YI/R^2 and YI/R.
 struct Units {
   double length;         ///< a
   double modulus;        ///< Y [force / length^2]

@@ -23,7 +23,8 @@ inline double residue(const WorkBalance& balance, const HistoryRow& last) {
 
 /// What the increments so far say of the errors of the work.
 struct WorkErrors {
-  /// Share of the work over a whole edge that the mesh at the inlet keeps: a mean over the last edges.
+  /// Share of the work over a whole edge that the mesh at the inlet keeps: a mean over the last
+  /// edges.
   double edge_share = 0;
   double trapezoid = 0;  ///< of the work so far: residue beyond what the mesh keeps
 };
@@ -42,15 +43,15 @@ struct WorkBooking {
   bool resolved;    ///< false: the increment should be repeated in halves, as the work is not known
 };
 
-/// Adds the increment's work to the balance, and puts what int F dL misses of the change of energy down
-/// to a snap or to the error of the trapezoid. It is a snap where no monotonous force between both
-/// ends could do the same. Of a whole edge the force is read at one phase of the mesh only, where it is
-/// steadily off; parts of an edge have to tell that from a snap.
+/// Adds the increment's work to the balance, and puts what int F dL misses of the change of energy
+/// down to a snap or to the error of the trapezoid. It is a snap where no monotonous force between
+/// both ends could do the same. Of a whole edge the force is read at one phase of the mesh only,
+/// where it is steadily off; parts of an edge have to tell that from a snap.
 WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors);
 
-/// Puts what a split of the inlet edge has taken away (negative: added) down to the mesh, or to a snap that
-/// it set off where it is more than a tenth of `edge_work`, the work over an edge. Returns what was
-/// released by a snap.
+/// Puts what a split of the inlet edge has taken away (negative: added) down to the mesh, or to a
+/// snap that it set off where it is more than a tenth of `edge_work`, the work over an edge.
+/// Returns what was released by a snap.
 double book_split(double taken, double edge_work, WorkBalance& balance);
 
 }  // namespace wirepack

@@ -23,7 +23,8 @@ struct WoundCoil {
 };
 
 /// Stiffnesses of the coil as a rod. With the mean diameter D and the pitch d:
-///   EA = G d^5 / (8 D^3),  EI = E d^5 / (32 D (2 + nu)),  GJ = E d^5 / (64 D),  G = E / (2 (1 + nu)),
+///   EA = G d^5 / (8 D^3),  EI = E d^5 / (32 D (2 + nu)),  GJ = E d^5 / (64 D),
+///   G = E / (2 (1 + nu)),
 /// of one turn of a slender curved bar that is twisted by a pull, bent and twisted by a moment
 /// across the axis, and bent by one along it (Timoshenko, Strength of Materials, part I, on
 /// close-coiled helical springs; Timoshenko and Gere, Theory of Elastic Stability, on the buckling

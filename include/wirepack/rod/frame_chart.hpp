@@ -12,8 +12,8 @@ namespace wirepack {
 struct HeldUnknowns {
   std::vector<bool> coordinate;  ///< 3 N: x, y, z of each node
   std::vector<bool> angle;       ///< one per frame: rotation about its own tangent
-  /// False: set_state leaves the edge frames where they are, for energies that read positions alone;
-  /// carry_frames() (rod_state.hpp) brings them along afterwards. Needs every angle held.
+  /// False: set_state leaves the edge frames where they are, for energies that read positions
+  /// alone; carry_frames() (rod_state.hpp) brings them along afterwards. Needs every angle held.
   bool frames_follow = true;
 
   static HeldUnknowns none(const RodState& state);
@@ -53,8 +53,8 @@ class FrameChart {
   void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
                  Eigen::VectorXd& out) const;
 
-  /// Frames that angles are counted from, and their tangents (3 x frames): those of the reference, or those
-  /// turned by what a chart upon this one knows.
+  /// Frames that angles are counted from, and their tangents (3 x frames): those of the reference,
+  /// or those turned by what a chart upon this one knows.
   struct Start {
     std::span<const Quat> frames;
     const Points& tangents;
@@ -62,7 +62,8 @@ class FrameChart {
   Start start() const { return {reference_.frames, reference_tangents_}; }
   /// Frames of a state whose nodes are set, from the angles of all frames. If frames follow.
   void set_frames(const Start& start, const Eigen::VectorXd& angle, RodState& out) const;
-  /// Adds what follows from the spins to derivatives by nodes, and sets those by angles, at a fixed start.
+  /// Adds what follows from the spins to derivatives by nodes, and sets those by angles, at a fixed
+  /// start.
   void pull_back_frames(const Start& start, const RodState& state, const Points& by_frame,
                         Points& by_node, Eigen::VectorXd& by_angle) const;
 
@@ -84,7 +85,8 @@ class FrameChart {
   /// The same for angles of all frames; a held one is 0.
   void scatter_angles(const Eigen::VectorXd& by_unknown, Eigen::VectorXd& by_frame) const;
   void gather_angles(const Eigen::VectorXd& by_frame, Eigen::VectorXd& by_unknown) const;
-  /// Coordinates that are no unknowns set to those of the reference, or of a derivative by nodes to 0.
+  /// Coordinates that are no unknowns set to those of the reference, or of a derivative by nodes to
+  /// 0.
   void restore_held(Points& nodes) const {
     for (const Index k : held_coordinates_) nodes.data()[k] = reference_.nodes.data()[k];
   }

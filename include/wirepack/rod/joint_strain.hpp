@@ -8,9 +8,10 @@
 
 namespace wirepack {
 
-/// Integrated strain of a joint: bending (k1, k2) l and twist k3 l, dimensionless, and its derivative
-/// by the relative spin of the two frames, both seen from the frame `before`:
-/// d(value_k) = by_spin_k . R_before^T (spin_after - spin_before). For one joint or for four (Lanes).
+/// Integrated strain of a joint: bending (k1, k2) l and twist k3 l, dimensionless, and its
+/// derivative by the relative spin of the two frames, both seen from the frame `before`:
+/// d(value_k) = by_spin_k . R_before^T (spin_after - spin_before).
+/// For one joint or for four (Lanes).
 template <class T>
 struct JointStrainOf {
   Triple<T> value;
@@ -18,14 +19,14 @@ struct JointStrainOf {
 };
 
 /// The relative quaternion p = conj(q_before) q_after = (w, x, y, z) is a turn of the tangent
-/// between two halves of a twist; bending is 2 (x, y) / sqrt(w^2 + z^2), of length 2 tan(angle / 2),
-/// in the frame half-way through the twist, and twist is 2 atan2(z, w). Bending is thus independent
-/// of the relative twist (averaged directors of the two edges are not, and open a hinge), and it
-/// grows without bound towards a turn of pi.
+/// between two halves of a twist; bending is 2 (x, y) / sqrt(w^2 + z^2), of length
+/// 2 tan(angle / 2), in the frame half-way through the twist, and twist is 2 atan2(z, w). Bending
+/// is thus independent of the relative twist (averaged directors of the two edges are not, and open
+/// a hinge), and it grows without bound towards a turn of pi.
 ///
-/// `twist_guide` picks the whole turns: the twist returned is within pi of it. p and -p are the same
-/// rotation; the one taken is that whose twist, up to full cycles of 4 pi, is so, and the half-way
-/// frame in which bending is measured turns continuously with the twist.
+/// `twist_guide` picks the whole turns: the twist returned is within pi of it. p and -p are the
+/// same rotation; the one taken is that whose twist, up to full cycles of 4 pi, is so, and the
+/// half-way frame in which bending is measured turns continuously with the twist.
 template <class T>
 [[gnu::always_inline]] inline JointStrainOf<T> joint_strain(const QuatOf<T>& before,
                                                             const QuatOf<T>& after,

@@ -46,8 +46,8 @@ struct ReferenceShape {
   BeyondShape beyond = BeyondShape::error;
 
   bool empty() const { return table.empty(); }
-  /// k0 at an arc from the tip, and its integral from the tip. Arcs before the tip take its k0, arcs
-  /// beyond a table that is not to be exceeded the last one's.
+  /// k0 at an arc from the tip, and its integral from the tip. Arcs before the tip take its k0,
+  /// arcs beyond a table that is not to be exceeded the last one's.
   Vec3 darboux(double arc) const;
   Vec3 integral(double arc) const;
 };

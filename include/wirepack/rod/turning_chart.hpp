@@ -15,9 +15,9 @@ namespace wirepack {
 ///   x_i   = R(w_i omega) (r_i + z_i - w_i omega x r_i),  r_i the reference
 ///   theta = z_theta - w omega.t0, relative to reference frames turned by R(w omega)
 ///
-/// R(v) is the Cayley transform of v / 2, a rotation about v by 2 atan(|v| / 2). The map is the identity
-/// to first order. w rises from 0 at the last node, which a nozzle holds, to
-/// 1 over the arc length `taper`: u^2 (3 - 2 u).
+/// R(v) is the Cayley transform of v / 2, a rotation about v by 2 atan(|v| / 2). The map is the
+/// identity to first order. w rises from 0 at the last node, which a nozzle holds, to 1 over the
+/// arc length `taper`: u^2 (3 - 2 u).
 class TurningChart {
  public:
   /// `taper` 0: no turning, z is the plain step.
@@ -29,8 +29,8 @@ class TurningChart {
   /// z_i - w_i omega x r_i.
   const Points& moves() const { return moves_; }
   /// Derivatives at the z of the last set_state, from those by nodes and spins at `state` (by x, as
-  /// FrameChart::pull_back gives them with the frames turned, and by z) and from those of a function of
-  /// moves() (by z only).
+  /// FrameChart::pull_back gives them with the frames turned, and by z) and from those of a
+  /// function of moves() (by z only).
   void pull_back(const RodState& state, const Points& by_node, const Points& by_frame,
                  const Points& by_move, Eigen::VectorXd& by_x, Eigen::VectorXd& by_z);
 

@@ -20,8 +20,8 @@ struct MinimizerOptions {
 /// Keeps strands from jumping through each other on the way down. Within one round (one factor, one
 /// memory of L-BFGS), a node that moves across its own wire by more than `distance` is pushed back
 /// with this stiffness, and a round that has come near that ends, so a long way is gone in several;
-/// rest is judged without it. A round that is not admissible is taken back and repeated with half the
-/// distance, down to a sixteenth.
+/// rest is judged without it. A round that is not admissible is taken back and repeated with half
+/// the distance, down to a sixteenth.
 struct MoveGuard {
   double distance = 0;   ///< 0: no guard
   double stiffness = 0;  ///< [force / length]
@@ -42,9 +42,9 @@ struct EquilibriumOptions {
   double turning_taper = 0;  ///< > 0: steps follow a rotation of the whole wire (TurningChart)
 };
 
-/// Options in any units, for a wire with this bending stiffness YI [force length^2]: moments are at rest to
-/// within force_tolerance times `length`, a length of what is looked for (the radius in a packing), and the
-/// shift is over YI / length^3.
+/// Options in any units, for a wire with this bending stiffness YI [force length^2]: moments are at
+/// rest to within force_tolerance times `length`, a length of what is looked for (the radius in a
+/// packing), and the shift is over YI / length^3.
 EquilibriumOptions equilibrium_options(double bend_stiffness, double length, double force_tolerance,
                                        const MinimizerOptions& method = {});
 
@@ -60,10 +60,10 @@ struct EquilibriumReport {
 };
 
 /// Moves `state` to a local minimum of the energy: L-BFGS in variables preconditioned by a factor
-/// of the curvature model, of its squares alone where they and the Hessian together are not positive;
-/// the factor and the chart are renewed in rounds. Judged by the gradient alone. `state` is the best point
-/// found, also when it has not converged.
-/// Throws NumericalFailure if even the start has no finite energy.
+/// of the curvature model, of its squares alone where they and the Hessian together are not
+/// positive; the factor and the chart are renewed in rounds. Judged by the gradient alone. `state`
+/// is the best point found, also when it has not converged. Throws NumericalFailure if even the
+/// start has no finite energy.
 EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
                                     const EnergyTerms& energy, const EquilibriumOptions& options);
 

@@ -10,16 +10,16 @@ namespace wirepack {
 
 /// Cholesky factor P = L L^T (up to a fill-reducing permutation) of a curvature model, as a change
 /// of variables x = x0 + L^-T y: minimizing over y with the gradient L^-1 g is the preconditioned
-/// minimization over x. Factored front by front, in single precision where that serves, with the threads at
-/// hand; the same bits for any number of them.
+/// minimization over x. Factored front by front, in single precision where that serves, with the
+/// threads at hand; the same bits for any number of them.
 class Preconditioner {
  public:
   /// Whether a matrix is known to be positive definite, but for rounding.
   enum class Definiteness { positive, unknown };
-  /// `lower` is the lower triangle of a symmetric matrix, whose eigenvalues should not be below `smallest`
-  /// (the shift of a curvature model): it decides whether single precision serves.
-  /// Nothing if pivots are not positive. Where those in single precision are not, the matrix is factored
-  /// again in double if it is known to be positive definite, and given up if it is not.
+  /// `lower` is the lower triangle of a symmetric matrix, whose eigenvalues should not be below
+  /// `smallest` (the shift of a curvature model): it decides whether single precision serves.
+  /// Nothing if pivots are not positive. Where those in single precision are not, the matrix is
+  /// factored again in double if it is known to be positive definite, and given up if it is not.
   static std::optional<Preconditioner> factored(const Eigen::SparseMatrix<double>& lower,
                                                 double smallest, Definiteness definiteness);
   ~Preconditioner();

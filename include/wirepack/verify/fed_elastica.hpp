@@ -4,8 +4,9 @@ namespace wirepack {
 
 /// Inextensible planar elastica fed through the pole of a sphere, without friction: clamped at
 /// (0, rho) along the inward normal, its tip sliding on the circle of radius rho, so that the only
-/// load is a reaction of the wall at the tip, directed to the centre. Exact up to the second contact
-/// with the wall, but for the integration (Runge-Kutta of 4th order, relative error below 1e-8).
+/// load is a reaction of the wall at the tip, directed to the centre. Exact up to the second
+/// contact with the wall, but for the integration (Runge-Kutta of 4th order, relative error below
+/// 1e-8).
 struct FedElastica {
   double rho;   ///< R - a
   double bend;  ///< YI

@@ -50,7 +50,8 @@ function set_log(on) {
 function set_range(end, value) {
   const range = state.range.slice();
   range[end] = value;
-  if (Number.isFinite(value) && range[0] < range[1] && (!state.log || range[0] > 0)) state.range = range;
+  if (Number.isFinite(value) && range[0] < range[1] && (!state.log || range[0] > 0))
+    state.range = range;
   show_colours();
 }
 
@@ -125,4 +126,5 @@ function set_theme(name) {
   redraw();
 }
 
-const toggle_theme = () => set_theme(document.documentElement.dataset.theme === 'light' ? 'dark' : 'light');
+const toggle_theme = () =>
+    set_theme(document.documentElement.dataset.theme === 'light' ? 'dark' : 'light');

@@ -68,14 +68,18 @@ function create_curve(figure, history, name, log, go_to) {
   const column = history[name], xs = history.density.values, ys = column.values;
   picture.setAttribute('viewBox', `0 0 ${plot.width} ${plot.height}`);
   const far = xs[xs.length - 1] || 1;
-  const inner = {width: plot.width - plot.left - plot.right, height: plot.height - plot.top - plot.bottom};
+  const inner = {
+    width: plot.width - plot.left - plot.right,
+    height: plot.height - plot.top - plot.bottom
+  };
   const to_x = (phi) => plot.left + inner.width * phi / far;
   let to_y = null, dot = null, line = null;
 
   function draw_axes(low, high, log) {
     for (const t of ticks(low, high, log, 3)) {
       const y = to_y(t);
-      svg(picture, 'line', {x1: plot.left, x2: plot.width - plot.right, y1: y, y2: y, class: 'grid'});
+      svg(picture, 'line',
+          {x1: plot.left, x2: plot.width - plot.right, y1: y, y2: y, class: 'grid'});
       svg(picture, 'text', {x: plot.left - 5, y: y + 3.5, class: 'tick end'}, shown(t));
     }
     for (const t of ticks(0, far, false, 5)) {
@@ -87,15 +91,21 @@ function create_curve(figure, history, name, log, go_to) {
     const bottom = plot.height - plot.bottom;
     for (const row of marked_snaps(history)) {
       const x = to_x(xs[row]);
-      const mark = svg(picture, 'path', {d: `M${x - 3.5} ${bottom + 4}L${x} ${bottom - 4}L${x + 3.5} ${bottom + 4}Z`, class: 'snap'});
-      svg(mark, 'title', {}, `snap at φ = ${shown(xs[row])}, which released ${with_unit(history.snap.values[row], history.snap.unit)}`);
+      const mark = svg(picture, 'path', {
+        d: `M${x - 3.5} ${bottom + 4}L${x} ${bottom - 4}L${x + 3.5} ${bottom + 4}Z`,
+        class: 'snap'
+      });
+      svg(mark, 'title', {},
+          `snap at φ = ${shown(xs[row])}, which released ${
+              with_unit(history.snap.values[row], history.snap.unit)}`);
     }
   }
 
   function draw(log) {
     picture.replaceChildren();
     const [low, high] = extent(ys, log);
-    to_y = (v) => plot.top + inner.height * (1 - place(Math.max(v, log ? low : v), [low, high], log));
+    to_y = (v) =>
+        plot.top + inner.height * (1 - place(Math.max(v, log ? low : v), [low, high], log));
     draw_axes(low, high, log);
     svg(picture, 'path', {d: path_of(xs, ys, to_x, to_y), class: 'curve'});
     draw_snaps();
@@ -119,8 +129,11 @@ function create_curve(figure, history, name, log, go_to) {
       dot.setAttribute('cy', to_y(ys[row]));
       readout.textContent = shown(ys[row]);
       const [low, high] = extent(ys, false);
-      picture.setAttribute('aria-label', `${column.label} against packing density from 0 to ${shown(far)}: between ` +
-        `${shown(low)} and ${with_unit(high / 1.05, column.unit)}; ${with_unit(ys[row], column.unit)} at ${shown(xs[row])}`);
+      picture.setAttribute(
+          'aria-label',
+          `${column.label} against packing density from 0 to ${shown(far)}: between ` +
+              `${shown(low)} and ${with_unit(high / 1.05, column.unit)}; ${
+                  with_unit(ys[row], column.unit)} at ${shown(xs[row])}`);
     },
   };
 }

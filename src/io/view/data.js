@@ -26,7 +26,8 @@ function sum_up(numbers) {
 async function positions(frame) {
   const zigzag = new Uint16Array(joined_planes(await inflated(frame.position), 2));
   const numbers = new Int16Array(zigzag.length);
-  for (let i = 0; i < zigzag.length; ++i) numbers[i] = zigzag[i] & 1 ? -((zigzag[i] + 1) >> 1) : zigzag[i] >> 1;
+  for (let i = 0; i < zigzag.length; ++i)
+    numbers[i] = zigzag[i] & 1 ? -((zigzag[i] + 1) >> 1) : zigzag[i] >> 1;
   for (let k = 0; k < run.position_differences; ++k) sum_up(numbers);
   return Float32Array.from(numbers, (n) => n * frame.quantum);
 }

@@ -20,7 +20,8 @@ const int samples = 14;
 float height(vec2 where) { return depth * (1.0 - 2.0 * texture(depths, where).r); }
 
 float openness(vec3 point, vec3 normal) {
-  float turn = sample_turn + 6.2832 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  float place = dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715));
+  float turn = sample_turn + 6.2832 * fract(52.9829189 * fract(place));
   float reach = 5.0 * radius, hidden = 0.0;
   for (int k = 0; k < samples; ++k) {
     float share = (float(k) + 0.5) / float(samples);
@@ -29,7 +30,8 @@ float openness(vec3 point, vec3 normal) {
     vec3 towards = vec3(offset, height(at + 0.5 * offset / half_size) - point.z);
     float size2 = dot(towards, towards);
     float near = max(0.0, 1.0 - size2 / (reach * reach));
-    hidden += near * max(0.0, dot(towards, normal) - 0.05 * radius) / sqrt(size2 + 0.01 * radius * radius);
+    hidden += near * max(0.0, dot(towards, normal) - 0.05 * radius) /
+              sqrt(size2 + 0.01 * radius * radius);
   }
   return clamp(1.0 - 2.1 * hidden / float(samples), 0.0, 1.0);
 }
@@ -39,7 +41,8 @@ float rim(vec3 point) {
   vec2 step = 1.3 * pixel * 0.5 / half_size;
   float near = max(max(height(at + vec2(step.x, 0)), height(at - vec2(step.x, 0))),
                    max(height(at + vec2(0, step.y)), height(at - vec2(0, step.y))));
-  return smoothstep(0.5 * radius, 2.0 * radius, near - point.z) * smoothstep(1.5, 5.0, radius / pixel);
+  return smoothstep(0.5 * radius, 2.0 * radius, near - point.z) *
+         smoothstep(1.5, 5.0, radius / pixel);
 }
 
 vec3 lit(vec3 colour, vec3 normal, vec3 point) {
@@ -52,7 +55,9 @@ vec3 lit(vec3 colour, vec3 normal, vec3 point) {
   return light * mix(0.18, 1.0, open) * mix(1.0, 0.72, deep) * (1.0 - 0.55 * rim(point));
 }
 
-float stroke(float off, float width) { return 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, abs(off)); }
+float stroke(float off, float width) {
+  return 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, abs(off));
+}
 
 void main() {
   vec4 seen = texture(colours, at);
@@ -76,7 +81,8 @@ void main() {
   }
   if (cut && abs(plane.z) > 1e-3) {
     float z = (plane.w - dot(plane.xy, place)) / plane.z;
-    float off = (length(vec3(place, z)) - cavity) / (pixel * length(vec2(place - plane.xy * z / plane.z)) / cavity + 1e-6);
+    float steep = length(vec2(place - plane.xy * z / plane.z)) / cavity;
+    float off = (length(vec3(place, z)) - cavity) / (pixel * steep + 1e-6);
     if (background || z > point.z - 0.05 * radius) cover = max(cover, 0.8 * stroke(off, line));
   }
   result = mix(result, vec4(ink, 1), cover);

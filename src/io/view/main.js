@@ -22,7 +22,10 @@ function listen_to_controls() {
   on('face', 'click', look_at_cut);
   on('section', 'change', (t) => { state.section = t.checked; show_cut(); });
   on('outline', 'change', (t) => { state.outline = t.checked; show_cut(); });
-  on('force_log', 'change', (t) => { curves[0].draw(t.checked); curves[0].mark(frame_rows[state.frame]); });
+  on('force_log', 'change', (t) => {
+    curves[0].draw(t.checked);
+    curves[0].mark(frame_rows[state.frame]);
+  });
   on('save', 'click', save_picture);
   on('save_numbers', 'click', save_numbers);
   on('theme', 'click', toggle_theme);
@@ -35,7 +38,8 @@ function listen_to_controls() {
 
 function start_scene() {
   scene = create_scene(canvas);
-  if (!scene) say('This browser gives no WebGL2, so the wire is not drawn; curves and numbers are all here.');
+  if (!scene)
+    say('This browser gives no WebGL2, so the wire is not drawn; curves and numbers are all here.');
 }
 
 async function start() {

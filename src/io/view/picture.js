@@ -1,14 +1,17 @@
 // The picture as a PNG, with colour bar and moment, of 1 to 4 times the pixels of the screen.
 function draw_bar(ink, width, height, size) {
-  const field = fields[state.field], bar = {x: 18 * size, y: height - 44 * size, width: 260 * size, height: 10 * size};
-  const fill = ink.createLinearGradient(bar.x, 0, bar.x + bar.width, 0), list = maps[state.map].match(/.{6}/g);
+  const field = fields[state.field],
+        bar = {x: 18 * size, y: height - 44 * size, width: 260 * size, height: 10 * size};
+  const fill = ink.createLinearGradient(bar.x, 0, bar.x + bar.width, 0),
+        list = maps[state.map].match(/.{6}/g);
   list.forEach((stop, k) => fill.addColorStop(k / (list.length - 1), '#' + stop));
   const text_colour = ink.fillStyle;
   ink.fillStyle = fill;
   ink.fillRect(bar.x, bar.y, bar.width, bar.height);
   ink.fillStyle = text_colour;
   ink.textAlign = 'left';
-  ink.fillText(field.label + (field.unit === '1' ? '' : ` [${field.unit}]`), bar.x, bar.y - 8 * size);
+  ink.fillText(
+      field.label + (field.unit === '1' ? '' : ` [${field.unit}]`), bar.x, bar.y - 8 * size);
   ink.textAlign = 'center';
   for (const {share, text} of bar_ticks()) {
     const x = bar.x + share * bar.width;
@@ -16,7 +19,8 @@ function draw_bar(ink, width, height, size) {
     ink.fillText(text, x, bar.y + bar.height + 17 * size);
   }
   ink.textAlign = 'right';
-  ink.fillText(`${run.name} · ${element('moment').textContent}`, width - 18 * size, height - 18 * size);
+  ink.fillText(
+      `${run.name} · ${element('moment').textContent}`, width - 18 * size, height - 18 * size);
 }
 
 // Draws with all samples at once and gives the picture back as a canvas.
@@ -24,7 +28,8 @@ function picture_of(factor, transparent, with_bar) {
   fit_canvas();
   const [width, height] = [canvas.width * factor, canvas.height * factor];
   if (Math.max(width, height) > scene.largest) {
-    throw new Error(`this graphics card draws pictures of at most ${scene.largest} pixels a side; choose a smaller factor`);
+    throw new Error(`this graphics card draws pictures of at most ${
+        scene.largest} pixels a side; choose a smaller factor`);
   }
   const shot = document.createElement('canvas');
   Object.assign(shot, {width, height});
@@ -48,7 +53,9 @@ function picture_of(factor, transparent, with_bar) {
 function save_picture() {
   try {
     const shot = picture_of(Number(element('factor').value), element('transparent').checked, true);
-    shot.toBlob((blob) => save_file(blob, `${stem()}_${String(state.frame + 1).padStart(3, '0')}.png`), 'image/png');
+    shot.toBlob(
+        (blob) => save_file(blob, `${stem()}_${String(state.frame + 1).padStart(3, '0')}.png`),
+        'image/png');
     element('status').textContent = `picture of ${shot.width} by ${shot.height} pixels saved`;
   } catch (error) {
     say(error.message);

@@ -43,8 +43,10 @@ function new_texture(gl, format, width, height, filter) {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
-  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, filter);
-  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
+    gl.texParameteri(gl.TEXTURE_2D, name, filter);
+  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T])
+    gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
   return texture;
 }
 
@@ -53,14 +55,18 @@ function new_buffers(gl, width, height, mean_format) {
   const target = (textures) => {
     const frame = gl.createFramebuffer();
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-    textures.forEach(([where, texture]) => gl.framebufferTexture2D(gl.FRAMEBUFFER, where, gl.TEXTURE_2D, texture, 0));
+    textures.forEach(
+        ([where, texture]) =>
+            gl.framebufferTexture2D(gl.FRAMEBUFFER, where, gl.TEXTURE_2D, texture, 0));
     return frame;
   };
   const colours = new_texture(gl, gl.RGBA8, width, height, gl.NEAREST);
   const normals = new_texture(gl, gl.RGBA8, width, height, gl.NEAREST);
   const depths = new_texture(gl, gl.DEPTH_COMPONENT32F, width, height, gl.NEAREST);
   const mean = new_texture(gl, mean_format, width, height, gl.LINEAR);
-  const seen = target([[gl.COLOR_ATTACHMENT0, colours], [gl.COLOR_ATTACHMENT1, normals], [gl.DEPTH_ATTACHMENT, depths]]);
+  const seen = target([
+    [gl.COLOR_ATTACHMENT0, colours], [gl.COLOR_ATTACHMENT1, normals], [gl.DEPTH_ATTACHMENT, depths]
+  ]);
   gl.drawBuffers([gl.COLOR_ATTACHMENT0, gl.COLOR_ATTACHMENT1]);
   const sum = target([[gl.COLOR_ATTACHMENT0, mean]]);
   return {
@@ -73,13 +79,17 @@ function new_buffers(gl, width, height, mean_format) {
 }
 
 // Places of samples within a pixel, -0.5 ... 0.5: eight that no row or column shares.
-const jitters = [[0, 0], [3, -1], [-2, 2], [1, 3.5], [-3.5, -2], [-1, -3], [2, 1], [-3, 3]].map((p) => p.map((c) => c / 8));
+const jitters = [[0, 0], [3, -1], [-2, 2], [1, 3.5], [-3.5, -2], [-1, -3], [2, 1], [-3, 3]].map(
+    (p) => p.map((c) => c / 8));
 
 function create_scene(canvas) {
-  const gl = canvas.getContext('webgl2', {alpha: true, antialias: false, depth: false, powerPreference: 'high-performance'});
+  const gl = canvas.getContext(
+      'webgl2', {alpha: true, antialias: false, depth: false, powerPreference: 'high-performance'});
   if (!gl) return null;
-  const mean_format = gl.getExtension('EXT_color_buffer_float') || gl.getExtension('EXT_color_buffer_half_float')
-    ? gl.RGBA16F : gl.RGBA8;
+  const mean_format =
+      gl.getExtension('EXT_color_buffer_float') || gl.getExtension('EXT_color_buffer_half_float') ?
+      gl.RGBA16F :
+      gl.RGBA8;
   const wire = compiled(gl, 'wire.vert', 'wire.frag');
   const light = compiled(gl, 'screen.vert', 'light.frag');
   const blend = compiled(gl, 'screen.vert', 'blend.frag');
@@ -111,8 +121,16 @@ function create_scene(canvas) {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     bind_textures(gl, wire, {nodes, map});
     set_uniforms(gl, wire, {
-      turn: view.turn.flat(), pan: view.pan, half_size: view.half_size, jitter, radius: wire_radius,
-      depth: view.depth, plane: view.plane, cut: view.cut, only_section: view.section, none: none_colour,
+      turn: view.turn.flat(),
+      pan: view.pan,
+      half_size: view.half_size,
+      jitter,
+      radius: wire_radius,
+      depth: view.depth,
+      plane: view.plane,
+      cut: view.cut,
+      only_section: view.section,
+      none: none_colour,
     });
     if (node_count > 1) gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, node_count - 1);
   }
@@ -126,16 +144,27 @@ function create_scene(canvas) {
     bind_textures(gl, light, {colours: b.colours, normals: b.normals, depths: b.depths});
     const pixel = 2 * view.half_size[1] / b.height;
     set_uniforms(gl, light, {
-      pan: view.pan, half_size: view.half_size, jitter, depth: view.depth, radius: wire_radius, cavity: cavity_radius,
-      pixel, line: view.line / pixel, sample_turn: 2.4 * sample, plane: view.plane, cut: view.cut,
-      outline: view.outline, ink: view.ink,
+      pan: view.pan,
+      half_size: view.half_size,
+      jitter,
+      depth: view.depth,
+      radius: wire_radius,
+      cavity: cavity_radius,
+      pixel,
+      line: view.line / pixel,
+      sample_turn: 2.4 * sample,
+      plane: view.plane,
+      cut: view.cut,
+      outline: view.outline,
+      ink: view.ink,
     });
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
   return {
     gl,
-    largest: Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), ...gl.getParameter(gl.MAX_VIEWPORT_DIMS)),
+    largest:
+        Math.min(gl.getParameter(gl.MAX_TEXTURE_SIZE), ...gl.getParameter(gl.MAX_VIEWPORT_DIMS)),
     samples: jitters.length,
     set_nodes(xyz, shades) {
       const n = shades.length, data = new Float32Array(4 * 1024 * Math.ceil(n / 1024));
@@ -146,9 +175,12 @@ function create_scene(canvas) {
     set_map(bytes) {
       upload(map, 33, 1, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array(bytes));
     },
-    // One more sample of the picture, drawn with `scale` times the canvas' pixels, and the mean shown.
+    // One more sample of the picture, drawn with `scale` times the canvas' pixels, and the mean
+    // shown.
     draw(view, sample, scale) {
-      const b = buffers_of(Math.max(1, Math.round(canvas.width * scale)), Math.max(1, Math.round(canvas.height * scale)));
+      const b = buffers_of(
+          Math.max(1, Math.round(canvas.width * scale)),
+          Math.max(1, Math.round(canvas.height * scale)));
       const jitter = jitters[sample].map((c, k) => 2 * c / [b.width, b.height][k]);
       draw_seen(view, b, jitter);
       add_lit(view, b, jitter, sample);

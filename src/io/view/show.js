@@ -3,8 +3,11 @@ function show_frame() {
   const row = frame_rows[state.frame];
   const [phi, length] = [past.density.values[row], past.length.values[row]];
   element('time').value = state.frame;
-  element('time').setAttribute('aria-valuetext', `frame ${state.frame + 1} of ${frame_count}, packing density ${shown(phi)}`);
-  element('moment').textContent = `φ = ${shown(phi)} · L = ${shown(length, 4)} a · frame ${state.frame + 1} of ${frame_count}`;
+  element('time').setAttribute(
+      'aria-valuetext',
+      `frame ${state.frame + 1} of ${frame_count}, packing density ${shown(phi)}`);
+  element('moment').textContent =
+      `φ = ${shown(phi)} · L = ${shown(length, 4)} a · frame ${state.frame + 1} of ${frame_count}`;
   curves.forEach((curve) => curve.mark(row));
   for (const line of element('numbers').querySelectorAll('tbody tr')) {
     if (Number(line.dataset.frame) === state.frame) line.setAttribute('aria-current', 'true');
@@ -29,7 +32,8 @@ function show_colours() {
 }
 
 function show_bar(field) {
-  element('bar_title').textContent = field.label + (field.unit === '1' ? '' : ' [' + field.unit + ']');
+  element('bar_title').textContent =
+      field.label + (field.unit === '1' ? '' : ' [' + field.unit + ']');
   element('bar').style.background = css_gradient(state.map, 'to right');
   element('bar_ticks').replaceChildren(...bar_ticks().map(({share, text}) => {
     const tick = document.createElement('span');
@@ -40,7 +44,9 @@ function show_bar(field) {
   element('bar_none').hidden = !field.logarithmic;
 }
 
-const bar_ticks = () => ticks(...state.range, state.log, 4).map((t) => ({share: place(t, state.range, state.log), text: shown(t)}));
+const bar_ticks = () =>
+    ticks(...state.range, state.log, 4)
+        .map((t) => ({share: place(t, state.range, state.log), text: shown(t)}));
 
 function cut_text() {
   const names = {x: 'x', y: 'y', z: 'z', view: 'depth'};
@@ -63,7 +69,8 @@ function show_cut(moving = false) {
 function describe() {
   const row = frame_rows[state.frame], field = fields[state.field];
   const turn = matrix(state.turn), from = turn[2];
-  const main = [0, 1, 2].reduce((best, k) => (Math.abs(from[k]) > Math.abs(from[best]) ? k : best), 0);
+  const main =
+      [0, 1, 2].reduce((best, k) => (Math.abs(from[k]) > Math.abs(from[best]) ? k : best), 0);
   const text = `Wire in a sphere, packing density ${shown(past.density.values[row])}, ` +
     `force ${with_unit(past.force.values[row], past.force.unit)}, coloured by ${field.label}, ` +
     `seen mainly along the ${'xyz'[main]} axis` + (state.cut ? `, cut at ${cut_text()}.` : '.');

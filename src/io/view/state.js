@@ -45,7 +45,8 @@ function mend(start) {
   if (!fields[state.field]) back('field');
   if (!Object.hasOwn(maps, state.map)) back('map');
   if (Math.hypot(...state.turn) < 1e-3) back('turn');
-  if (Math.hypot(...state.cut_normal) < 1e-3 || !(Object.hasOwn(axes, state.cut_axis) || state.cut_axis === 'view')) {
+  if (Math.hypot(...state.cut_normal) < 1e-3 ||
+      !(Object.hasOwn(axes, state.cut_axis) || state.cut_axis === 'view')) {
     back('cut_normal', 'cut_axis');
   }
   state.turn = unit(state.turn);
@@ -58,11 +59,13 @@ function mend(start) {
 }
 
 function same_kind(a, b) {
-  if (Array.isArray(a)) return Array.isArray(b) && a.length === b.length && b.every(Number.isFinite);
+  if (Array.isArray(a))
+    return Array.isArray(b) && a.length === b.length && b.every(Number.isFinite);
   return typeof a === typeof b && (typeof a !== 'number' || Number.isFinite(b));
 }
 
 function write_link() {
-  const rounded = (key, value) => (typeof value === 'number' ? Number(value.toPrecision(7)) : value);
+  const rounded = (key, value) =>
+      (typeof value === 'number' ? Number(value.toPrecision(7)) : value);
   history.replaceState(null, '', '#' + encodeURIComponent(JSON.stringify(state, rounded)));
 }

@@ -1,6 +1,9 @@
 // The parts of the page that are text: heading, provenance, numbers. Texts of the file only ever
 // become textContent, so that none of them is taken for HTML.
-const numbers = ['increment', 'density', 'length', 'force', 'bend', 'twist', 'snaps', 'contacts', 'overlap', 'residual'];
+const numbers = [
+  'increment', 'density', 'length', 'force', 'bend', 'twist', 'snaps', 'contacts', 'overlap',
+  'residual'
+];
 
 function put(parent, name, text, attributes = {}) {
   const child = document.createElement(name);
@@ -13,8 +16,9 @@ function put(parent, name, text, attributes = {}) {
 function write_heading() {
   document.title = run.name + ' – wirepack';
   element('name').textContent = run.name;
-  element('about').textContent = `${run.setup}, ${run.method}, R = ${shown(cavity_radius / wire_radius)} a, ` +
-    `φ to ${shown(past.density.values.at(-1))}`;
+  element('about').textContent =
+      `${run.setup}, ${run.method}, R = ${shown(cavity_radius / wire_radius)} a, ` +
+      `φ to ${shown(past.density.values.at(-1))}`;
 }
 
 function write_provenance() {
@@ -22,7 +26,8 @@ function write_provenance() {
     put(element('provenance'), 'dt', label);
     put(element('provenance'), 'dd', text);
   }
-  const saved = run.saved_frames === frame_count ? `all ${frame_count}` : `${frame_count} of ${run.saved_frames}`;
+  const saved = run.saved_frames === frame_count ? `all ${frame_count}` :
+                                                   `${frame_count} of ${run.saved_frames}`;
   put(element('provenance'), 'dt', 'frames in this page');
   put(element('provenance'), 'dd', saved);
   element('config').textContent = run.config;
@@ -31,7 +36,8 @@ function write_provenance() {
 // What is released in snaps since the frame before belongs to a frame.
 function released_before(frame) {
   let sum = 0;
-  for (let row = frame === 0 ? 0 : frame_rows[frame - 1] + 1; row <= frame_rows[frame]; ++row) sum += past.snap.values[row];
+  for (let row = frame === 0 ? 0 : frame_rows[frame - 1] + 1; row <= frame_rows[frame]; ++row)
+    sum += past.snap.values[row];
   return sum;
 }
 
@@ -40,12 +46,15 @@ function number_of(name, frame) {
 }
 
 function heading_of(name) {
-  const {label, unit} = name === 'snaps' ? {label: 'released in snaps since the frame before', unit: past.snap.unit} : past[name];
+  const {label, unit} = name === 'snaps' ?
+      {label: 'released in snaps since the frame before', unit: past.snap.unit} :
+      past[name];
   return label + (unit ? ` [${unit}]` : '');
 }
 
 function write_numbers() {
-  const head = element('numbers').querySelector('thead tr'), body = element('numbers').querySelector('tbody');
+  const head = element('numbers').querySelector('thead tr'),
+        body = element('numbers').querySelector('tbody');
   for (const name of numbers) put(head, 'th', heading_of(name), {scope: 'col'});
   for (let frame = 0; frame < frame_count; ++frame) {
     const line = put(body, 'tr', '', {'data-frame': frame});
@@ -55,8 +64,10 @@ function write_numbers() {
         continue;
       }
       const cell = put(line, 'th', '', {scope: 'row'});
-      put(cell, 'button', String(number_of(name, frame)), {type: 'button', title: 'show this moment'})
-        .addEventListener('click', () => set_frame(frame));
+      put(cell, 'button', String(number_of(name, frame)), {
+        type: 'button',
+        title: 'show this moment'
+      }).addEventListener('click', () => set_frame(frame));
     }
   }
 }
@@ -73,6 +84,9 @@ const stem = () => run.name.replace(/\.[^.]*$/, '').replace(/[^\w.-]+/g, '_') ||
 
 function save_numbers() {
   const lines = [numbers.map((name) => `"${heading_of(name)}"`)];
-  for (let frame = 0; frame < frame_count; ++frame) lines.push(numbers.map((name) => number_of(name, frame)));
-  save_file(new Blob([lines.map((line) => line.join(',')).join('\n') + '\n'], {type: 'text/csv'}), stem() + '.csv');
+  for (let frame = 0; frame < frame_count; ++frame)
+    lines.push(numbers.map((name) => number_of(name, frame)));
+  save_file(
+      new Blob([lines.map((line) => line.join(',')).join('\n') + '\n'], {type: 'text/csv'}),
+      stem() + '.csv');
 }

@@ -4,7 +4,14 @@ const stage = document.getElementById('stage');
 let scene = null;
 
 const painter = {
-  sample: 0, moving: false, motion_scale: 0.6, last_time: 0, waiting: false, settle: 0, pictures: 0, nodes: 0,
+  sample: 0,
+  moving: false,
+  motion_scale: 0.6,
+  last_time: 0,
+  waiting: false,
+  settle: 0,
+  pictures: 0,
+  nodes: 0,
 };
 
 // Units of length from the middle of the picture to its nearer side.
@@ -15,7 +22,10 @@ function length_per_pixel() {
 }
 
 function ink() {
-  return getComputedStyle(document.documentElement).getPropertyValue('--ink-rgb').split(' ').map((c) => c / 255);
+  return getComputedStyle(document.documentElement)
+      .getPropertyValue('--ink-rgb')
+      .split(' ')
+      .map((c) => c / 255);
 }
 
 function current_view(width, height) {
@@ -33,7 +43,8 @@ function current_view(width, height) {
 
 function fit_canvas() {
   const ratio = window.devicePixelRatio || 1;
-  const width = Math.max(1, Math.round(stage.clientWidth * ratio)), height = Math.max(1, Math.round(stage.clientHeight * ratio));
+  const width = Math.max(1, Math.round(stage.clientWidth * ratio)),
+        height = Math.max(1, Math.round(stage.clientHeight * ratio));
   if (canvas.width === width && canvas.height === height) return;
   canvas.width = width;
   canvas.height = height;
@@ -73,7 +84,9 @@ function paint(now) {
   if (painter.moving) adapt_scale(now);
   painter.last_time = now;
   fit_canvas();
-  scene.draw(current_view(canvas.width, canvas.height), painter.sample, painter.moving ? painter.motion_scale : 1);
+  scene.draw(
+      current_view(canvas.width, canvas.height), painter.sample,
+      painter.moving ? painter.motion_scale : 1);
   if (painter.nodes > 0) document.documentElement.dataset.pictures = ++painter.pictures;
   if (painter.moving) return;
   if (++painter.sample < scene.samples) {

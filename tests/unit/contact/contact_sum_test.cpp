@@ -11,7 +11,8 @@
 namespace wirepack {
 namespace {
 
-// A coil, of three turns if not longer, whose strands overlap; both ends touch the turn beside them.
+// A coil, of three turns if not longer, whose strands overlap; both ends touch the turn beside
+// them.
 RodState tight_coil(const RodParams& params, RodEnds ends = {}, Index count = 80) {
   Random random(5);
   Points nodes(3, count);

@@ -267,8 +267,8 @@ TEST(SlipPotential, WhatRestsKeepsItsSpringAndWhatSlidIsHeldByTheDynamicCoeffici
   EXPECT_NEAR(pull(touching.rod, 0.002, memory), 0.26, 1e-4);  // rests: up to the static one again
 }
 
-// The lower leg comes up by four overlaps, of which the last one presses, while it moves sideways: of
-// that way a quarter is against friction.
+// The lower leg comes up by four overlaps, of which the last one presses, while it moves sideways:
+// of that way a quarter is against friction.
 TEST(SlipPotential, AContactThatFormsOnTheWayIsHeldFromWhereItTouchesOn) {
   const Touching now(two_legs(pi / 2));
   const auto from = [&](double way) {
@@ -291,7 +291,8 @@ TEST(SlipPotential, AContactThatFormsOnTheWayIsHeldFromWhereItTouchesOn) {
     potential.add_gradient(now.rod, gradient);
     return force_on_lower_leg(now.rod, gradient) / n;
   };
-  // a quarter of 0.02 is half the slip tolerance, of which the approach along the tilted normal is a part
+  // a quarter of 0.02 is half the slip tolerance, of which the approach along the tilted normal is
+  // a part
   EXPECT_NEAR(held_after(0.02), 0.3 * 0.5 * (1 - overlap / 2), 1e-4);
   EXPECT_NEAR(held_after(0.4), 0.3, 1e-2);
 }

@@ -50,8 +50,8 @@ TEST(OpenWallEnergy, walls_that_are_none_are_refused) {
   EXPECT_THROW(made(CylinderWall{Vec3::Zero(), Vec3::UnitX(), 0.5}), InvalidInput);
 }
 
-// A straight wire along z, clamped at node 0, whose tip a spring of k pulls across to a point at d: with
-// the stiffness 3 YI / L^3 of a cantilever the tip goes to d k / (k + 3 YI / L^3).
+// A straight wire along z, clamped at node 0, whose tip a spring of k pulls across to a point at d:
+// with the stiffness 3 YI / L^3 of a cantilever the tip goes to d k / (k + 3 YI / L^3).
 TEST(SpringEnergy, a_cantilever_shares_a_deflection_with_a_spring_as_their_stiffnesses_say) {
   constexpr Index edges = 60;
   RodParams wire;

@@ -105,8 +105,8 @@ TEST(Feeder, EnergyJumpOfASplitVanishesWithTheMesh) {
   EXPECT_LT(fine, coarse / 3);  // at least second order
 }
 
-// By the error of the mesh, x^3 / 36 + x^2 / 36 - x / 72 between a long inlet edge and one of its parts
-// and a whole one: 1/6 of that of one and a half.
+// By the error of the mesh, x^3 / 36 + x^2 / 36 - x / 72 between a long inlet edge and one of its
+// parts and a whole one: 1/6 of that of one and a half.
 TEST(Feeder, ASplitThatLeavesAShortEdgeChangesLittleEnergy) {
   const auto jump = [](double inlet_edges) {
     HeldWire wire(1, inlet_edges);

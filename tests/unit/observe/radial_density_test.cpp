@@ -12,8 +12,9 @@ RodState closed_ring(double radius, Index edges) {
   return make_rod(testing::ring_nodes(radius, edges), RodParams{}, {.closed = true});
 }
 
-// Volume of a torus within a ball about its middle: the part of its disc inside a circle, each strip
-// of it turned around the axis. Strips of sqrt(2 / 3) digits: midpoints at half-circle densities.
+// Volume of a torus within a ball about its middle: the part of its disc inside a circle, each
+// strip of it turned around the axis. Strips of sqrt(2 / 3) digits: midpoints at half-circle
+// densities.
 double torus_within(double ring, double radius, double ball) {
   const int strips = 400000;
   double volume = 0;

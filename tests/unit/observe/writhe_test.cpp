@@ -95,8 +95,8 @@ TEST(Writhe, ChangesSignInAMirrorAndNotWithPlaceSizeTurnOrSense) {
   EXPECT_NEAR(writhe(testing::helix_strand(3, 0, 0.9, 17), false), 0, 1e-14);
 }
 
-// 1 / (4 pi) of |(t x t') . r| / |r|^3 over all pairs of points, by midpoints; pairs near each other
-// add nothing on a smooth curve.
+// 1 / (4 pi) of |(t x t') . r| / |r|^3 over all pairs of points, by midpoints; pairs near each
+// other add nothing on a smooth curve.
 double double_integral(const Curve& curve, int parts) {
   const double step = 2 * pi / parts;
   std::vector<Vec3> points, slopes;
@@ -126,8 +126,8 @@ TEST(CrossingSums, average_crossing_number_is_the_double_integral) {
 
 TEST(CrossingSums,
      of_opposite_edges_of_a_tetrahedron_is_the_share_of_directions_that_see_them_cross) {
-  // It looks like a triangle along lines through a corner and the inside, and there is no crossing; else
-  // like a quadrangle, in which one of three pairs of opposite edges cross.
+  // It looks like a triangle along lines through a corner and the inside, and there is no crossing;
+  // else like a quadrangle, in which one of three pairs of opposite edges cross.
   Points nodes(3, 4);
   nodes << 1, -1, 1, -1,  //
       1, -1, -1, 1,       //

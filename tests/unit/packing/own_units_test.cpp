@@ -78,8 +78,8 @@ TEST(OwnUnits, a_valid_scenario_is_valid_in_them_at_its_limits) {
   EXPECT_TRUE(problems(in_own_units(scenario)).empty());
 }
 
-// As runs were computed before format version 2 of result files. Rest is met to within 1e-4 YI / R^2 in
-// both, and energies go with the square of that.
+// As runs were computed before format version 2 of result files. Rest is met to within 1e-4 YI /
+// R^2 in both, and energies go with the square of that.
 template <class Packing>
 void expect_the_same_progress_from_a_run_in_units_of_the_scenario(Scenario scenario) {
   scenario = scaled_scenario(scenario, 0x1p-4, 0x1p10, 0x1p6);

@@ -133,7 +133,8 @@ TEST(Equilibrium, TooFewEvaluationsAreReportedWithTheBestPoint) {
 TEST(Equilibrium, NearRestTheHessianSavesEvaluations) {
   const auto evaluations_from_near_rest = [](double exactness) {
     Cantilever c;
-    // so strong that the tension along the wire, which squares do not know, holds it as much as bending
+    // so strong that the tension along the wire, which squares do not know, holds it as much as
+    // bending
     c.load = LoadEnergy(c.params, Loads{{{0, Vec3(0.4, 0, 0)}}, {}, Vec3::Zero()});
     c.rest();
     for (Index i = 0; i < 20; ++i) c.rod.nodes(1, i) += 0.05 * static_cast<double>(20 - i);

@@ -22,8 +22,8 @@ Eigen::VectorXd random_vector(Index size, std::uint64_t seed) {
   return v;
 }
 
-// Lower triangle of what a packing couples: nodes of three unknowns in a chain, and `contacts` pairs of
-// others; squares of random vectors, so positive definite with the shift.
+// Lower triangle of what a packing couples: nodes of three unknowns in a chain, and `contacts`
+// pairs of others; squares of random vectors, so positive definite with the shift.
 Sparse packing_matrix(Index nodes, Index contacts, double shift, std::uint64_t seed) {
   Random random(seed);
   std::map<std::pair<Index, Index>, double> entries;

@@ -13,7 +13,8 @@ namespace wirepack {
 namespace {
 
 // A straight cantilever under a thrust at its tip, in parts of the load at which it buckles:
-// pi^2 / 4 YI / L^2 (Euler), of the wire that is shorter and less stiff under that load by its strain.
+// pi^2 / 4 YI / L^2 (Euler), of the wire that is shorter and less stiff under that load by its
+// strain.
 struct Strut {
   explicit Strut(double part, double unit = 1) {
     params.radius = params.edge_length = unit;
@@ -73,8 +74,8 @@ TEST(Stability, a_search_leaves_the_saddle_for_the_buckled_shape) {
   });
   EXPECT_EQ(report.end, EquilibriumEnd::converged);
   EXPECT_TRUE(report.stable);
-  // elastica: at P / P_cr = (2 K(sin(alpha/2)) / pi)^2 = 1.05 the tip turns by 35.6 degrees and moves
-  // sideways by 2 k / (K / L) with k = sin(alpha / 2)
+  // elastica: at P / P_cr = (2 K(sin(alpha/2)) / pi)^2 = 1.05 the tip turns by 35.6 degrees and
+  // moves sideways by 2 k / (K / L) with k = sin(alpha / 2)
   EXPECT_NEAR(strut.sideways() / 40, 0.380, 0.01);
 }
 
