@@ -88,10 +88,7 @@ class DiskFull(ProgramTest):
 
     def test_a_folder_that_vanishes(self):
         (self.folder / "there").mkdir()
-        process = self.start("run", "run.toml", "-o", "there/out.h5")
-        for line in process.stdout:
-            if line.split()[0] == "10":
-                break
+        process = self.run_until(10, "there/out.h5", "--set", "stop.increments=100000")
         (self.folder / "there").rename(self.folder / "elsewhere")
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 5, err)
@@ -99,15 +96,15 @@ class DiskFull(ProgramTest):
         self.assertGreater(check_readable(self, self.folder / "elsewhere/out.h5"), 0)
 
     def test_a_file_that_is_replaced_under_a_run_is_the_runs_again(self):
-        process = self.start("run", "run.toml", "-o", "out.h5")
-        for line in process.stdout:
-            if line.split()[0] == "10":
-                break
+        longer = ["--set", "stop.increments=300"]
+        process = self.run_until(10, "out.h5", *longer)
         (self.folder / "other").write_text("something else")
         (self.folder / "other").rename(self.folder / "out.h5")
         _, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 0, err)
-        self.assertEqual(differing(self.folder / "whole.h5", self.folder / "out.h5"), [])
+        code, _, err = self.run_program("run", "run.toml", "-o", "longer.h5", *longer)
+        self.assertEqual(code, 0, err)
+        self.assertEqual(differing(self.folder / "longer.h5", self.folder / "out.h5"), [])
 
     def test_a_table_that_cannot_be_written(self):
         with open("/dev/full", "w") as full:

@@ -88,10 +88,7 @@ class Inputs(ProgramTest):
 
     def test_a_run_whose_table_nobody_reads_ends_quietly_with_all_saved(self):
         self.write("run.toml", SMALL_RUN.replace("60", "100000"))
-        process = self.start("run", "run.toml", "-o", "out.h5")
-        for line in process.stdout:
-            if line.split()[0] == "3":
-                break
+        process = self.run_until(3, "out.h5")
         process.stdout.close()
         err = process.stderr.read()
         process.stderr.close()

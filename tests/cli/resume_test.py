@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 
-from support import ProgramTest, SMALL_RUN, check_readable, datasets, differing
+from support import ENDLESS, ProgramTest, SMALL_RUN, check_readable, datasets, differing
 
 
 # a = 2, Y = 4, rho = 4: powers of two, so that changing units rounds nothing
@@ -106,24 +106,20 @@ class Resume(ProgramTest):
         self.assertEqual(self.names(), ["killed.h5", "run.toml", "whole.h5"])
 
     def test_a_signal_saves_and_the_run_goes_on(self):
-        whole = self.run_whole()
         for number in (signal.SIGTERM, signal.SIGINT):
             name = f"stopped{int(number)}.h5"
-            # only the signal makes it save
-            arguments = ["--set", "output.checkpoint_every_seconds=1000"]
-            process = self.start("run", "run.toml", "-o", name, *arguments)
-            for line in process.stdout:
-                if line.split()[0] == "20":
-                    break
+            process = self.run_until(20, name, *ENDLESS)
             process.send_signal(number)
             _, err = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 75, err)
             self.assertIn("--resume", err)
-            self.assertGreaterEqual(check_readable(self, self.folder / name), 20)
+            saved = check_readable(self, self.folder / name)
+            self.assertGreaterEqual(saved, 20)
             with h5py.File(self.folder / name) as file:
                 self.assertEqual(file.attrs["finished"], 0)
-            code, _, err = self.run_program("run", "run.toml", "-o", name, "--resume")
-            self.assertEqual(code, 0, err)
+            end = ["--set", f"stop.increments={saved + 20}"]
+            self.run_whole(name, "--resume", *end)
+            whole = self.run_whole(f"whole{int(number)}.h5", *end)
             self.assertEqual(differing(whole, self.folder / name), [])
 
     def test_limits_may_change_and_other_keys_may_not(self):

@@ -23,6 +23,10 @@ checkpoint_every_seconds = 0
 """
 
 
+# A run that only a signal ends, and saves only then.
+ENDLESS = ["--set", "stop.increments=1000000", "--set", "output.checkpoint_every_seconds=1000"]
+
+
 class ProgramTest(unittest.TestCase):
     """Each test works in an empty folder of its own."""
 
@@ -49,6 +53,16 @@ class ProgramTest(unittest.TestCase):
             text=True,
             **options,
         )
+
+    def run_until(self, increment, result, *arguments, **options):
+        """Starts run.toml into a result and returns when its table has a line for the increment."""
+        process = self.start("run", "run.toml", "-o", result, *arguments, **options)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        for line in process.stdout:
+            if line.split()[0] == str(increment):
+                return process
+        self.fail(process.stderr.read())
 
     def run_program(self, *arguments, timeout=60, **options):
         process = self.start(*arguments, **options)
