@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
 #include <malloc.h>
 #include <new>
@@ -71,6 +72,9 @@ int run_safely(const std::string& name, const std::function<int()>& run) {
     return report(name, error, exit_numerical_failure);
   } catch (const FileError& error) {
     return report(name, error, exit_file_error);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string file = error.path1().string();
+    return report(name, FileError(file + ": " + error.code().message()), exit_file_error);
   } catch (const std::system_error& error) {
     // words of the system, not of a library
     return report(name, FileError(error.code().message()), exit_file_error);

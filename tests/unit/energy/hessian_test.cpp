@@ -4,7 +4,9 @@
 
 #include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/open_wall_energy.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
+#include "wirepack/energy/spring_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 
@@ -173,6 +175,19 @@ TEST(Hessian, of_the_wall_at_a_free_end_that_leans_is_exact) {
   }
   const RodState state = make_rod(nodes, params, {.last_clamped = true});
   expect_exact_model(state, energy, HeldUnknowns::none(state));
+}
+
+TEST(Hessian, of_springs_and_of_planes_and_cylinders_as_walls_is_exact) {
+  const RodParams params = curved_params();
+  const RodState state = bent_rod(params, {.last_clamped = true});
+  SpringEnergy springs({{2, Vec3(1, 2, 3), 0.7}, {5, Vec3(-1, 0, 4), 2}});
+  expect_exact_model(state, springs);
+  const Vec3 node = state.nodes.col(4);
+  OpenWallEnergy walls(params,
+                       {PlaneWall{node - Vec3(0, 0, 0.4), Vec3::UnitZ()},
+                        CylinderWall{node - Vec3(0.9, 1.2, 0), Vec3::UnitZ(), 1.8}},
+                       5);
+  expect_exact_model(state, walls);
 }
 
 // Two legs of one rod that press on each other in their middle, away from the ends.

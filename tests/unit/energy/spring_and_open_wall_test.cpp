@@ -43,6 +43,25 @@ TEST(OpenWallEnergy, gradient_and_inlet_derivative_match_differences) {
   EXPECT_LT(by_inlet.relative_error, 1e-6);
 }
 
+// An edge of length l that lies 0.1 deep in a wall, along it.
+TEST(OpenWallEnergy, an_edge_that_lies_in_a_wall_has_the_energy_and_force_of_its_overlap) {
+  const RodParams wire;
+  const double overlap = 0.1, stiffness = 3, length = 1;
+  for (const OpenWall& wall : {OpenWall{PlaneWall{Vec3::Zero(), Vec3::UnitX()}},
+                               OpenWall{CylinderWall{Vec3(7, 0, 0), Vec3::UnitZ(), 7}}}) {
+    Points nodes = Points::Zero(3, 2);
+    nodes.row(0).setConstant(wire.radius - overlap);
+    nodes(2, 1) = length;
+    const RodState rod = make_rod(nodes, wire);
+    OpenWallEnergy energy(wire, {wall}, stiffness);
+    Gradient gradient;
+    set_zero(gradient, rod);
+    EXPECT_NEAR(double(energy.add_gradient(rod, gradient)),
+                stiffness * length / 2 * overlap * overlap, 1e-14);
+    EXPECT_NEAR(gradient.node.rowwise().sum()[0], -stiffness * length * overlap, 1e-13);
+  }
+}
+
 TEST(OpenWallEnergy, walls_that_are_none_are_refused) {
   const auto made = [](OpenWall wall) { OpenWallEnergy(RodParams{}, {wall}, 1); };
   EXPECT_THROW(made(PlaneWall{Vec3::Zero(), Vec3(0, 0, 2)}), InvalidInput);
