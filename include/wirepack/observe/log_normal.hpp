@@ -11,7 +11,7 @@ struct LogNormalFit {
   double mu_error = 0, sigma_error = 0;  ///< sigma / sqrt n and sigma / sqrt(2 n), Cramer-Rao
   double mean = 0;                       ///< of the values; 1 if they were divided by it
   double ks_distance = 0;  ///< largest difference of cumulated distributions (Kolmogorov-Smirnov)
-  int count = 0;  ///< of the values above zero, which are what is fitted
+  int count = 0;           ///< of the values above zero, which are what is fitted
 
   double fitted_mean() const;  ///< exp(mu + sigma^2 / 2)
 };

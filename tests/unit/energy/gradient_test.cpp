@@ -102,17 +102,20 @@ TEST(EnergyGradient, BendAndTwistOfAClosedRingMatchDifferences) {
 
 TEST(EnergyGradient, WallMatchesDifferences) {
   const RodParams params = curved_params();
-  WallEnergy energy(params, SphericalCavity{4}, 5);
-  RodState state = random_rod(12, params, {.last_clamped = true}, 5);
-  expect_exact_gradient(state, energy);
-  state.nodes.colwise() -= state.nodes.col(6);
-  expect_exact_inlet_derivative(state, energy);
+  for (const Cavity& cavity : {Cavity{4}, ellipsoid(Vec3(4, 3, 5))}) {
+    WallEnergy energy(params, cavity, 5);
+    RodState state = random_rod(12, params, {.last_clamped = true}, 5);
+    expect_exact_gradient(state, energy);
+    state.nodes.colwise() -= state.nodes.col(6);
+    expect_exact_inlet_derivative(state, energy);
+  }
 }
 
 TEST(EnergyGradient, of_the_wall_at_a_free_end_that_leans_matches_differences) {
   const RodParams params = curved_params();
-  WallEnergy energy(params, SphericalCavity{10}, 5);
   for (const double lean : {0.0, 0.5, 1.2}) {
+    const Cavity cavity = lean != 0.5 ? Cavity{10} : ellipsoid(Vec3(8, 12, 10));
+    WallEnergy energy(params, cavity, 5);
     Points nodes(3, 5);
     for (Index i = 0; i < 5; ++i) {
       const auto along = static_cast<double>(i);

@@ -31,8 +31,7 @@ class Hdf5File : public ::testing::Test {
 
   std::filesystem::path folder_;
   // a run that has every column
-  Scenario scenario_ =
-      default_scenario(Setup::high_torsion, SphericalCavity{5}, 1, 5, Method::dynamic);
+  Scenario scenario_ = default_scenario(Setup::high_torsion, Cavity{5}, 1, 5, Method::dynamic);
 };
 
 HistoryRow row_of(int increment) {
@@ -161,7 +160,7 @@ TEST_F(Hdf5File, rows_of_many_flushes_come_back_in_order) {
 }
 
 TEST_F(Hdf5File, a_run_without_friction_and_inertia_has_none_of_their_columns) {
-  const Scenario plain = default_scenario(Setup::high_torsion, SphericalCavity{5});
+  const Scenario plain = default_scenario(Setup::high_torsion, Cavity{5});
   Hdf5Recorder recorder(file(), plain, "test");
   recorder.add(row_of(1));
   recorder.flush(progress_of(1, 20));
