@@ -112,7 +112,7 @@ ShapeFit fit_result(const OrderedFit& from, const MeasuredPoints& given,
   put_places(from, given, left_out, fit);
   put_outliers(from, uncertainty, left_out, fit);
   if (from.list.order_may_be_wrong && model != ShapeModel::circle) {
-    require_outliers_are_few(std::ssize(fit.outliers), from.scale.points.count());
+    require_outliers_are_few(std::ssize(fit.outliers), given.count());
   }
   put_closure(from, given.ordered || given.arc.size() > 0, fit);
   return fit;
