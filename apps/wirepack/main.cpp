@@ -123,7 +123,9 @@ int run_program(int count, char** arguments) {
                                       compare_command(program, shell_text(count, arguments)),
                                       analyze_command(program),
                                       export_command(program),
+#ifdef WIREPACK_FIT
                                       fit_command(program, shell_text(count, arguments)),
+#endif
                                       sweep_command(program),
                                       view_command(program)};
   try {
