@@ -44,7 +44,8 @@ struct Ellipsoid {
 /// normal w, with the multiplier t that puts q on the ellipsoid: sum (e_i w_i)^2 = 1. It is found
 /// by Newton's method for 1 / sqrt(sum (e_i w_i)^2) - 1 = 0, which is concave and rises with t, and
 /// linear for a sphere, so the steps overshoot once at most, and by no more than the lower bound
-/// e_i (|r_i| - e_i) of t. Their number is fixed, so that numbers and lanes are the same bits.
+/// e_i (|r_i| - e_i) of t.
+/// Their number is fixed, for lanes.
 template <class T>
 WallPoint<T> wall_point(const Ellipsoid& ellipsoid, const Triple<T>& r, double wire_radius) {
   using std::sqrt;
@@ -57,7 +58,7 @@ WallPoint<T> wall_point(const Ellipsoid& ellipsoid, const Triple<T>& r, double w
   };
   const T lowest = larger(larger(least(e.x(), r.x), least(e.y(), r.y)), least(e.z(), r.z));
   const Triple<T> scaled{r.x / e.x(), r.y / e.y(), r.z / e.z()};
-  const T depth_of_shell = (1.0 - sqrt(dot(scaled, scaled))) * e.minCoeff();
+  const T size = sqrt(dot(scaled, scaled));
   T t = 0.0;
   for (int k = 0; k < steps; ++k) {
     const Triple<T> spread{t + e.x() * e.x(), t + e.y() * e.y(), t + e.z() * e.z()};
@@ -69,8 +70,10 @@ WallPoint<T> wall_point(const Ellipsoid& ellipsoid, const Triple<T>& r, double w
   const Triple<T> w{r.x / (t + e.x() * e.x()), r.y / (t + e.y() * e.y()),
                     r.z / (t + e.z() * e.z())};
   const T length = sqrt(dot(w, w));
-  // deep inside there may be no t; the ellipsoid shrunk to the point is that far from the wall
-  return {larger(T(0.0) - t * length, depth_of_shell) - wire_radius, w, length, t};
+  // deep inside there may be no t: the shrunk ellipsoid through the point is that far from the wall
+  const T depth = T(0.0) - t * length;
+  const T least_depth = select(size < 1.0, (1.0 - size) * e.minCoeff(), depth);
+  return {larger(depth, least_depth) - wire_radius, w, length, t};
 }
 
 /// From the derivatives of w_i = r_i / (e_i^2 + t) and of sum (e_i w_i)^2 = 1.

