@@ -146,12 +146,26 @@ int record(const Scenario& scenario, const RunOptions& options) {
   return exit_code(run);
 }
 
+// The log is added to, so it may be neither an input nor the result, under whatever name.
+void check_log(const RunOptions& options, const OutputRules& rules) {
+  const auto place = [](const std::filesystem::path& file, const OutputRules& of_file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(output_file(file, of_file)));
+  };
+  const OutputRules added_to{rules.inputs, true};
+  const std::filesystem::path log = place(options.log, added_to);
+  const std::filesystem::path result = place(options.output, rules);
+  std::error_code error;
+  if (log == result || std::filesystem::equivalent(log, result, error)) {
+    throw InvalidInput("--log " + options.log + ": is the result, " + options.output);
+  }
+}
+
 /// From now on what is printed goes to the end of a file.
 void print_to(const std::string& file) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw FileError(file + ": cannot be written: " + std::strerror(errno));
-  ::dup2(descriptor, STDOUT_FILENO);
-  ::dup2(descriptor, STDERR_FILENO);
+  const bool printed_there = descriptor >= 0 && ::dup2(descriptor, STDOUT_FILENO) >= 0 &&
+                             ::dup2(descriptor, STDERR_FILENO) >= 0;
+  if (!printed_there) throw FileError(file + ": cannot be written: " + std::strerror(errno));
   ::close(descriptor);
 }
 
@@ -166,6 +180,7 @@ int run(RunOptions options) {
   const OutputRules rules{config_inputs(options.config, overrides), options.force || options.resume,
                           "--resume goes on from it, --force replaces it"};
   output_file(options.output, rules);
+  if (!options.log.empty()) check_log(options, rules);
   if (options.resume && std::filesystem::exists(options.output)) {
     const auto over = run_before(scenario, options.output, record_options(options, {}));
     if (over) return say_it_is_over(*over, scenario, options);
