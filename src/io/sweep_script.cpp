@@ -29,6 +29,10 @@ tasks=(
 
 # Slurm numbers the elements of an array below MaxArraySize: longer lists go as several arrays.
 submit() {
+  command -v sbatch > /dev/null || {
+    echo "slurm.sh: sbatch of Slurm is not found on this machine" >&2
+    exit 5
+  }
   cd "$(dirname "${BASH_SOURCE[0]}")" && mkdir -p slurm || exit 5
   local jobs=$(((${#tasks[@]} + tasks_per_job - 1) / tasks_per_job))
   local most first last
@@ -92,7 +96,11 @@ constexpr std::string_view parallel_script = R"SCRIPT(#!/bin/bash
 #     bash parallel.sh [options of parallel, such as --sshloginfile hosts]
 # Hosts must share this folder. It can be run again at any time: finished tasks return at once.
 wirepack=@program@
-cd "$(dirname "${BASH_SOURCE[0]}")" || exit 5
+command -v parallel > /dev/null || {
+  echo "parallel.sh: GNU parallel is not found on this machine" >&2
+  exit 127
+}
+cd "$(dirname "${BASH_SOURCE[0]}")" || exit 255
 run="'$wirepack' run {}/config.toml -o {}/run.h5 --resume --threads @threads@ --log {}/run.log"
 # Runs that are told to end have ten minutes to save.
 exec parallel --workdir "$PWD" --termseq TERM,600000,KILL,25 @at_once@"$@" \

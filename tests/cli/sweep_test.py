@@ -299,6 +299,34 @@ class Emitted(SweepTest):
             self.assertEqual(text.count("setup="), 12)
             self.assertNotRegex(text, "@[a-z_]+@")
 
+    def test_an_engine_that_is_not_there_is_named_and_is_trouble_with_files(self):
+        self.write("plan.toml", SHORT)
+        (self.folder / "bin").mkdir()
+        for name in ("bash", "dirname", "mkdir", "sed"):
+            (self.folder / "bin" / name).symlink_to(shutil.which(name))
+        environment = {**os.environ, "PATH": str(self.folder / "bin")}
+        for engine, missing, end in [
+            (
+                "slurm",
+                "sbatch of Slurm",
+                "out/slurm.sh: ended with code 5: not all tasks are queued",
+            ),
+            (
+                "parallel",
+                "GNU parallel",
+                "out/parallel.sh: ended with code 127: not all tasks are run",
+            ),
+        ]:
+            with self.subTest(engine):
+                code, out, err = self.run_program(
+                    "sweep", "plan.toml", "-o", "out", "--executor", engine, env=environment
+                )
+                self.assertEqual((code, out), (5, ""), err)
+                self.assertIn(f"{engine}.sh: {missing} is not found on this machine\n", err)
+                self.assertIn(end, err)
+                states = {state for state, _ in self.status("out").values()}
+                self.assertEqual(states, {"waiting"})
+
     def test_what_is_finished_is_not_in_them(self):
         self.write("plan.toml", SHORT)
         self.run_program("sweep", "plan.toml", "-o", "out")
