@@ -14,6 +14,7 @@ from pathlib import Path
 
 import h5py
 
+from support import PROGRAM
 from sweep_support import PLAN, TASKS, Stops, SweepTest
 
 SHORT = PLAN.replace("40", "8").replace("[3, 3.5, 4]", "[3, 4]")
@@ -298,6 +299,48 @@ class Emitted(SweepTest):
             text = script.read_text()
             self.assertEqual(text.count("setup="), 12)
             self.assertNotRegex(text, "@[a-z_]+@")
+
+    def test_names_that_a_shell_would_change_are_quoted(self):
+        odd = 'it\'s $HOME `id` "here"'
+        (self.folder / odd / "bin").mkdir(parents=True)
+        program = shutil.copy(PROGRAM, self.folder / odd / "wire pack's $1")
+        self.write(
+            f"{odd}/plan.toml",
+            "[stop]\nincrements = 3\n[sweep]\ncavity.radius = [3]\npacking.seed = [1, 2, 3]\n",
+        )
+        for engine, name in [("slurm", "slurm.sh"), ("parallel", "parallel.sh")]:
+            with self.subTest(engine):
+                if engine == "parallel" and shutil.which("parallel") is None:
+                    self.skipTest("GNU parallel is not installed")
+                call = [program, "sweep", f"{odd}/plan.toml", "-o", f"{odd}/{engine}"]
+                subprocess.run(
+                    [*call, "--emit", engine], cwd=self.folder, check=True, capture_output=True
+                )
+                done = subprocess.run(
+                    ["bash", f"{odd}/{engine}/{name}"],
+                    cwd=self.folder,
+                    env={**os.environ, "PATH": f"{self.slurm_of_one()}:{os.environ['PATH']}"},
+                    capture_output=True,
+                    text=True,
+                    check=False,
+                )
+                self.assertEqual(done.returncode, 0, done.stderr)
+                states = [state for state, _ in self.status(f"{odd}/{engine}").values()]
+                self.assertEqual(states, ["done"] * 3, done.stderr)
+
+    def slurm_of_one(self):
+        """Programs called sbatch and scontrol: a job runs at once, where it is submitted."""
+        folder = self.folder / "slurm_of_one"
+        folder.mkdir(exist_ok=True)
+        array = "${1#--array=0-}"
+        for name, script in {
+            "sbatch": f"last={array}\nshift\nfor ((k = 0; k <= last; ++k)); do\n"
+            '  SLURM_ARRAY_TASK_ID=$k bash "$@" || exit\ndone\n',
+            "scontrol": "echo MaxArraySize = 1000\n",
+        }.items():
+            (folder / name).write_text("#!/bin/bash\n" + script)
+            (folder / name).chmod(0o755)
+        return folder
 
     def test_an_engine_that_is_not_there_is_named_and_is_trouble_with_files(self):
         self.write("plan.toml", SHORT)
