@@ -7,11 +7,11 @@
 #include <system_error>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/output_path.hpp"
 
 #include "atomic_file.hpp"
-#include "config_text.hpp"
 #include "text_file.hpp"
 
 namespace wirepack {
@@ -31,7 +31,7 @@ std::vector<std::string> split(const std::string& line) {
 std::string list_text(const Sweep& sweep) {
   const auto line = [](const std::string& name, const std::vector<std::string>& values) {
     std::string text = name;
-    for (const std::string& value : values) text.append("\t").append(printable(value, 1000));
+    for (const std::string& value : values) text.append("\t").append(plain_text(value, 1000));
     return text.append("\n");
   };
   std::string text = line("task", sweep.keys);

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 
 #include "../atomic_file.hpp"
@@ -13,21 +14,14 @@ namespace wirepack {
 
 namespace {
 
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  return text;
-}
-
 std::vector<std::string> provenance(const Hdf5Reader& reader, const std::string& result,
                                     const Scenario& scenario) {
   const std::string state = reader.finished() ? "ended by " + reader.stop_reason() : "not finished";
   return {
-      one_line(
+      plain_text(
           fmt::format("wirepack {}, commit {}", reader.program_version(), reader.git_commit())),
-      one_line(fmt::format("from {}, a run {}, seed {}", result, state, scenario.seed)),
-      one_line(fmt::format("command: {}", reader.command_line())),
+      plain_text(fmt::format("from {}, a run {}, seed {}", result, state, scenario.seed)),
+      plain_text(fmt::format("command: {}", reader.command_line())),
       fmt::format("units of the configuration: wire radius a = {}, Young's modulus Y = {}, cavity "
                   "radius R = {}",
                   scenario.wire.radius, scenario.wire.youngs_modulus, scenario.cavity.radius)};
