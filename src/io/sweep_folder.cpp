@@ -9,6 +9,7 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/config_file.hpp"
+#include "wirepack/io/continuation.hpp"
 #include "wirepack/io/output_path.hpp"
 
 #include "atomic_file.hpp"
@@ -49,20 +50,24 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   replace_file(file, {text.begin(), text.end()});
 }
 
+std::string config_text(const SweepTask& task) {
+  return resolved_config(task.scenario, task.units);
+}
+
 enum class Difference { none, is_new, limits };
 
 Difference difference(const std::filesystem::path& config, const SweepTask& task,
                       std::vector<std::string>& problems) {
   if (!std::filesystem::exists(config)) return Difference::is_new;
-  const Scenario before = read_config(config);
-  if (const auto conflict = continuation_conflict(before, task.scenario)) {
+  const Configuration before = read_configuration(config);
+  if (const auto conflict = continuation_conflict(before.scenario, task.scenario)) {
     problems.push_back(
         fmt::format("{}: is of another plan: {}; give another folder, or move this "
                     "task away",
                     config.parent_path().string(), *conflict));
   }
-  return resolved_config(before) == resolved_config(task.scenario) ? Difference::none
-                                                                   : Difference::limits;
+  return resolved_config(before.scenario, before.units) == config_text(task) ? Difference::none
+                                                                             : Difference::limits;
 }
 
 }  // namespace
@@ -83,7 +88,7 @@ SweepChange write_sweep(const std::filesystem::path& folder, const Sweep& sweep)
   if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));
   for (const SweepTask* task : to_write) {
     make_folder(folder / task->name);
-    write_text(folder / task->name / task_config_file, resolved_config(task->scenario));
+    write_text(folder / task->name / task_config_file, config_text(*task));
   }
   const std::filesystem::path list = folder / task_list_file;
   const std::string text = list_text(sweep);

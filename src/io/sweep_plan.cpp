@@ -155,7 +155,10 @@ class Expansion {
     }
     check_name(task.name);
     try {
-      task.scenario = parse_config(plan_.base_text, plan_.base_source, overrides);
+      Configuration task_config =
+          parse_configuration(plan_.base_text, plan_.base_source, overrides);
+      task.scenario = std::move(task_config.scenario);
+      task.units = std::move(task_config.units);
     } catch (const InvalidInput& error) {
       std::istringstream lines(error.what());
       for (std::string line; std::getline(lines, line);) complain(line);

@@ -8,6 +8,7 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/config_file.hpp"
+#include "wirepack/io/continuation.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/result_end.hpp"
 #include "wirepack/io/result_lock.hpp"

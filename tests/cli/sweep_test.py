@@ -205,6 +205,24 @@ class Tasks(SweepTest):
         self.assertEqual((code, out), (0, "# 2 tasks: 2 done\n"), err)
         self.assertIn("reference_shape", (self.folder / "out/case=bent/config.toml").read_text())
 
+    def test_tasks_keep_the_units_of_the_plan(self):
+        units = '[units]\nlength = "mm"\nforce = "mN"\n'
+        plan = "[stop]\nincrements = 3\n[sweep]\ncavity.radius = [3, 4]\n" + units
+        self.write("plan.toml", plan)
+        self.sweep(0)
+        task = self.folder / "out/radius=3"
+        self.assertTrue((task / "config.toml").read_text().endswith("\n" + units))
+        self.assertRegex(
+            (task / "run.log").read_text(), r"# force .* YI/R\^2 = -?[0-9.]+ [a-z]*N\n"
+        )
+        with h5py.File(task / "run.h5") as file:
+            self.assertEqual(file.attrs["length_unit"], "mm")
+        # other units are no other plan
+        self.write("plan.toml", plan.replace("mm", "um"))
+        _, err = self.sweep(0)
+        self.assertIn("radius=3 has other limits or output now", err)
+        self.assertIn('length = "um"', (task / "config.toml").read_text())
+
     def test_a_dry_run_lists_the_tasks_and_writes_nothing(self):
         self.write("plan.toml", SHORT.replace("increments = 8", "density = 0.1"))
         code, out, err = self.run_program("sweep", "plan.toml", "--dry-run")
