@@ -111,9 +111,7 @@ int compare_ways(const Options& options) {
   const bool begun =
       std::filesystem::exists(folder / run_file(options, scenario, scenario.seed, ways[0].second));
   output_folder(folder, comparison_files(), {inputs, options.force || begun});
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+  make_folder(folder);
   say_warnings("compare", warnings(scenario, expected_length(scenario)));
   catch_stop_signals();
   std::vector<ComparedRun> runs;

@@ -26,6 +26,7 @@
 #include "command.hpp"
 #include "run_advice.hpp"
 #include "run_display.hpp"
+#include "run_summary.hpp"
 #include "stop_signals.hpp"
 #include "terminal.hpp"
 

@@ -40,12 +40,6 @@ std::string list_text(const Sweep& sweep) {
   return text;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
-}
-
 void write_text(const std::filesystem::path& file, const std::string& text) {
   replace_file(file, {text.begin(), text.end()});
 }

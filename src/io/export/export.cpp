@@ -7,6 +7,7 @@
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/io/output_path.hpp"
 
 #include "../atomic_file.hpp"
 
@@ -47,11 +48,7 @@ void write_files(const ExportedFiles& files) {
   try {
     for (const ExportedFile& file : files) {
       const std::filesystem::path folder = file.path.parent_path();
-      std::error_code error;
-      if (!folder.empty() && std::filesystem::create_directory(folder, error)) {
-        made.push_back(folder);
-      }
-      if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+      if (!folder.empty() && make_folder(folder)) made.push_back(folder);
       const bool is_new = !std::filesystem::exists(file.path);
       replace_file(file.path, std::vector<char>(file.bytes.begin(), file.bytes.end()));
       if (is_new) made.push_back(file.path);
