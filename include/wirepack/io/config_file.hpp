@@ -29,9 +29,9 @@ struct Configuration {
 /// given setup, cavity.radius, wire.radius and wire.youngs_modulus, which may be given as
 /// stiffnesses, a persistence length or a wound coil (data/docs/stiffness.md); insertion.increment
 /// follows a given wire.edge_length; any given stop limit replaces the default one.
-/// wire.precurvature = k is the rest shape (0, k, 0). wire.reference_shape takes its place: the name
-/// of a shape file (shape_file.hpp), relative to the folder of `source`, or to that of an override;
-/// or its rows.
+/// wire.precurvature = k is the rest shape (0, k, 0). wire.reference_shape takes its place: the
+/// name of a shape file (shape_file.hpp), relative to the folder of `source`, or to that of an
+/// override; or its rows.
 ///
 /// Throws InvalidInput with one line per problem, "file:line:column: section.key = value: what is
 /// allowed", for all problems at once: syntax, unknown sections and keys, wrong types, impossible
