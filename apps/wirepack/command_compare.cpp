@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include "wirepack/core/error.hpp"
@@ -44,8 +43,10 @@ std::vector<ConfigOverride> overrides_of(const Options& options) {
   return overrides;
 }
 
-Scenario scenario_of(const Options& options) {
-  Scenario scenario = read_config(options.config, overrides_of(options));
+// The configuration that all ways share.
+Configuration configuration_of(const Options& options) {
+  Configuration config = read_configuration(options.config, overrides_of(options));
+  Scenario& scenario = config.scenario;
   scenario.stop = {};
   scenario.stop.density = options.density;
   std::string text;
@@ -63,7 +64,7 @@ Scenario scenario_of(const Options& options) {
         "4 R, where the wire has curled up",
         options.density, compared_densities(scenario, 1).front()));
   }
-  return scenario;
+  return config;
 }
 
 /// Runs one way to its end, going on from a file that is there: one that has reached its density
@@ -102,17 +103,15 @@ std::string run_file(const Options& options, const Scenario& seeded, std::uint64
 }
 
 int compare_ways(const Options& options) {
-  const Scenario scenario = scenario_of(options);
+  const Configuration config = configuration_of(options);
+  const Scenario& scenario = config.scenario;
+  const std::vector<std::filesystem::path>& inputs = config.inputs;
   const std::filesystem::path folder = options.folder;
-  const std::vector<std::filesystem::path> inputs =
-      config_inputs(options.config, overrides_of(options));
   // beside runs that are gone on with, page and figures are those of an earlier call
   const bool begun =
       std::filesystem::exists(folder / run_file(options, scenario, scenario.seed, ways[0].second));
   output_folder(folder, comparison_files(), {inputs, options.force || begun});
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+  make_folder(folder);
   say_warnings("compare", warnings(scenario, expected_length(scenario)));
   catch_stop_signals();
   std::vector<ComparedRun> runs;

@@ -26,6 +26,7 @@
 #include "command.hpp"
 #include "run_advice.hpp"
 #include "run_display.hpp"
+#include "run_summary.hpp"
 #include "stop_signals.hpp"
 #include "terminal.hpp"
 
@@ -54,10 +55,7 @@ std::vector<ConfigOverride> overrides_of(const RunOptions& options) {
 }
 
 int show_plan(const Scenario& scenario, const DeclaredUnits& names) {
-  std::string text = resolved_config(scenario);
-  if (!names.length.empty()) {
-    text += fmt::format("\n[units]\nlength = \"{}\"\nforce = \"{}\"\n", names.length, names.force);
-  }
+  std::string text = resolved_config(scenario, names);
   const double length = expected_length(scenario);
   const Stiffness wire = stiffness(scenario.wire);
   const RunEstimate run = estimate(scenario, length);
@@ -91,14 +89,14 @@ int say_it_is_over(const RecordedRun& run, const Scenario& scenario, const RunOp
   return exit_code(run);
 }
 
-RecordOptions record_options(const RunOptions& options, const DeclaredUnits& names) {
+RecordOptions record_options(const RunOptions& options, const Configuration& config) {
   const Existing existing = options.resume  ? Existing::go_on
                             : options.force ? Existing::replace
                                             : Existing::refuse;
   return {existing,
           options.command_line,
-          {{"length_unit", names.length}, {"force_unit", names.force}},
-          given_keys(options.config, overrides_of(options))};
+          {{"length_unit", config.units.length}, {"force_unit", config.units.force}},
+          config.given_keys};
 }
 
 void say_why_it_stopped(const RecordedRun& run, const Scenario& scenario,
@@ -115,8 +113,8 @@ void say_why_it_stopped(const RecordedRun& run, const Scenario& scenario,
   }
 }
 
-int record(const Scenario& scenario, const RunOptions& options) {
-  const DeclaredUnits names = declared_units(options.config, overrides_of(options));
+int record(const Configuration& config, const RunOptions& options) {
+  const Scenario& scenario = config.scenario;
   if (options.resume && !std::filesystem::exists(options.output)) {
     say(options.output + " is not there yet: starting from the beginning");
   }
@@ -128,7 +126,7 @@ int record(const Scenario& scenario, const RunOptions& options) {
     begin(row);
   };
   const RecordedRun run =
-      run_recorded(scenario, options.output, record_options(options, names), hooks);
+      run_recorded(scenario, options.output, record_options(options, config), hooks);
   if (run.was_over) return say_it_is_over(run, scenario, options);
   const std::string saved = fmt::format("{} holds all up to increment {:.0f}", options.output,
                                         run.progress.last.increment);
@@ -138,7 +136,7 @@ int record(const Scenario& scenario, const RunOptions& options) {
     say("nobody reads the table any more; " + saved + "; --resume goes on from there");
     return exit_stopped_by_signal;
   }
-  print_lines(summary(run, scenario, names));
+  print_lines(summary(run, scenario, config.units));
   print_lines(next_step(run.stop, options.output));
   std::fflush(stdout);
   say_warnings("run", run.warnings);
@@ -146,33 +144,48 @@ int record(const Scenario& scenario, const RunOptions& options) {
   return exit_code(run);
 }
 
+// The log is added to, so it may be neither an input nor the result, under whatever name.
+void check_log(const RunOptions& options, const OutputRules& rules) {
+  const auto place = [](const std::filesystem::path& file, const OutputRules& of_file) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(output_file(file, of_file)));
+  };
+  const OutputRules added_to{rules.inputs, true};
+  const std::filesystem::path log = place(options.log, added_to);
+  const std::filesystem::path result = place(options.output, rules);
+  std::error_code error;
+  if (log == result || std::filesystem::equivalent(log, result, error)) {
+    throw InvalidInput("--log " + options.log + ": is the result, " + options.output);
+  }
+}
+
 /// From now on what is printed goes to the end of a file.
 void print_to(const std::string& file) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor < 0) throw FileError(file + ": cannot be written: " + std::strerror(errno));
-  ::dup2(descriptor, STDOUT_FILENO);
-  ::dup2(descriptor, STDERR_FILENO);
+  const bool printed_there = descriptor >= 0 && ::dup2(descriptor, STDOUT_FILENO) >= 0 &&
+                             ::dup2(descriptor, STDERR_FILENO) >= 0;
+  if (!printed_there) throw FileError(file + ": cannot be written: " + std::strerror(errno));
   ::close(descriptor);
 }
 
 int run(RunOptions options) {
   use_threads(options.threads);
-  const std::vector<ConfigOverride> overrides = overrides_of(options);
-  const Scenario scenario = read_config(options.config, overrides);
+  const Configuration config = read_configuration(options.config, overrides_of(options));
+  const Scenario& scenario = config.scenario;
   require_possible(scenario, expected_length(scenario));
-  if (options.dry_run) return show_plan(scenario, declared_units(options.config, overrides));
+  if (options.dry_run) return show_plan(scenario, config.units);
   if (options.output.empty()) throw InvalidInput("-o OUT.h5 is needed: where the result goes");
   catch_stop_signals();
-  const OutputRules rules{config_inputs(options.config, overrides), options.force || options.resume,
+  const OutputRules rules{config.inputs, options.force || options.resume,
                           "--resume goes on from it, --force replaces it"};
   output_file(options.output, rules);
+  if (!options.log.empty()) check_log(options, rules);
   if (options.resume && std::filesystem::exists(options.output)) {
-    const auto over = run_before(scenario, options.output, record_options(options, {}));
+    const auto over = run_before(scenario, options.output, record_options(options, config));
     if (over) return say_it_is_over(*over, scenario, options);
   }
-  if (options.log.empty()) return record(scenario, options);
+  if (options.log.empty()) return record(config, options);
   print_to(options.log);
-  const int code = run_safely("wirepack run", [&] { return record(scenario, options); });
+  const int code = run_safely("wirepack run", [&] { return record(config, options); });
   say(fmt::format("{}{}", exit_code_line, code));
   return code;
 }

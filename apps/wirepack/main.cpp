@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/shell_quoted.hpp"
 #include "wirepack/core/threads.hpp"
 #include "wirepack/core/version.hpp"
 
@@ -31,18 +32,8 @@ std::string version_text() {
 std::string shell_text(int count, char** arguments) {
   std::string text;
   for (int i = 0; i < count; ++i) {
-    std::string word = arguments[i];
-    const bool plain = !word.empty() && word.find_first_not_of(
-                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                            "0123456789_-+=.,:/@%") == std::string::npos;
-    if (!plain) {
-      for (std::size_t at = 0; (at = word.find('\'', at)) != std::string::npos; at += 4) {
-        word.replace(at, 1, "'\\''");
-      }
-      word.insert(0, "'").append("'");
-    }
     if (i > 0) text += ' ';
-    text += word;
+    text += shell_quoted(arguments[i]);
   }
   return text;
 }

@@ -20,7 +20,8 @@ namespace {
 
 constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP};
 
-/// Holds back the signals that a pool waits for; those that are ignored stay so.
+/// Holds back the signals that a pool waits for; those that ask to stop and are ignored stay so. A
+/// caller that ignores SIGCHLD is not asked: what has ended could not be waited for then.
 class HeldSignals {
  public:
   HeldSignals() {
@@ -31,9 +32,15 @@ class HeldSignals {
       sigaction(number, nullptr, &action);
       if (action.sa_handler != SIG_IGN) sigaddset(&held_, number);
     }
+    struct sigaction told {};
+    told.sa_handler = SIG_DFL;
+    sigaction(SIGCHLD, &told, &child_before_);
     pthread_sigmask(SIG_BLOCK, &held_, &before_);
   }
-  ~HeldSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  ~HeldSignals() {
+    sigaction(SIGCHLD, &child_before_, nullptr);
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
   HeldSignals(const HeldSignals&) = delete;
   HeldSignals& operator=(const HeldSignals&) = delete;
 
@@ -53,6 +60,7 @@ class HeldSignals {
 
  private:
   sigset_t held_{}, before_{};
+  struct sigaction child_before_ {};
 };
 
 pid_t start(const std::vector<std::string>& command, const sigset_t& signals) {
@@ -76,26 +84,39 @@ pid_t start(const std::vector<std::string>& command, const sigset_t& signals) {
   return process;
 }
 
-}  // namespace
+/// The processes at work, and the place of each command in the list.
+using Running = std::map<pid_t, std::size_t>;
 
-bool run_processes(const std::vector<std::vector<std::string>>& commands, ProcessKind kind,
-                   int at_once, const PoolEvents& events) {
-  const HeldSignals signals;
-  std::map<pid_t, std::size_t> running;
+void send(int number, const Running& running) {
+  for (const auto& [process, command] : running) ::kill(process, number);
+}
+
+void reap(Running& running, const PoolEvents& events) {
+  for (auto at = running.begin(); at != running.end();) {
+    int status = 0;
+    if (::waitpid(at->first, &status, WNOHANG) != at->first) {
+      ++at;
+      continue;
+    }
+    const std::size_t command = at->second;
+    at = running.erase(at);
+    events.ended(command, WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status));
+  }
+}
+
+// Runs save when they are asked to end.
+void end_all(const Running& running) {
+  send(SIGTERM, running);
+  for (const auto& [process, command] : running) {
+    while (::waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+  }
+}
+
+bool run_all(const std::vector<std::vector<std::string>>& commands, ProcessKind kind, int at_once,
+             const PoolEvents& events, const HeldSignals& signals, Running& running) {
   std::size_t next = 0;
   bool stopped = false;
-  const auto reap = [&] {
-    for (auto at = running.begin(); at != running.end();) {
-      int status = 0;
-      if (::waitpid(at->first, &status, WNOHANG) != at->first) {
-        ++at;
-        continue;
-      }
-      const std::size_t command = at->second;
-      at = running.erase(at);
-      events.ended(command, WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status));
-    }
-  };
   while (!running.empty() || (next < commands.size() && !stopped)) {
     while (!stopped && next < commands.size() &&
            running.size() < static_cast<std::size_t>(at_once)) {
@@ -105,12 +126,26 @@ bool run_processes(const std::vector<std::vector<std::string>>& commands, Proces
     const int number = signals.wait();
     if (number != 0 && number != SIGCHLD) {
       stopped = true;
-      for (const auto& [process, command] : running) ::kill(process, number);
+      send(number, running);
     }
-    reap();
+    reap(running, events);
     events.each_second();
   }
   return !stopped;
+}
+
+}  // namespace
+
+bool run_processes(const std::vector<std::vector<std::string>>& commands, ProcessKind kind,
+                   int at_once, const PoolEvents& events) {
+  const HeldSignals signals;
+  Running running;
+  try {
+    return run_all(commands, kind, at_once, events, signals, running);
+  } catch (...) {
+    end_all(running);
+    throw;
+  }
 }
 
 }  // namespace wirepack

@@ -22,7 +22,8 @@ enum class ProcessKind {
 /// Runs commands (a program and its arguments) in their order, so many at once, until all have
 /// ended. SIGINT, SIGTERM and SIGHUP are handed on to all that run, and no more are started then;
 /// false: that has happened. Each is in a process group of its own, so that what is typed at a
-/// terminal reaches it once. Throws FileError when a program cannot be started.
+/// terminal reaches it once. Throws FileError when a program cannot be started, after those that
+/// run have been asked to end and have ended.
 bool run_processes(const std::vector<std::vector<std::string>>& commands, ProcessKind kind,
                    int at_once, const PoolEvents& events);
 

@@ -9,9 +9,7 @@
 #include <unistd.h>
 
 #include "wirepack/io/history_table.hpp"
-#include "wirepack/io/round_off.hpp"
 #include "wirepack/packing/longest_wire.hpp"
-#include "wirepack/packing/own_units.hpp"
 
 #include "stop_signals.hpp"
 
@@ -20,9 +18,6 @@ namespace wirepack {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// A run with inertia is slow enough when on average it has less of its energy in motion.
-constexpr double quasistatic_share = 0.02;
 
 constexpr std::size_t terminal_columns = 80;
 
@@ -117,78 +112,5 @@ RunHooks RunDisplay::hooks() {
 }
 
 bool RunDisplay::unread() const { return shown_->unread; }
-
-std::string summary(const RecordedRun& run, const Scenario& scenario, const DeclaredUnits& names) {
-  const PackingProgress& progress = run.progress;
-  const Units units = units_of(scenario);
-  const HistoryRow& last = run.last;
-  const WorkBalance balance = in_units(progress.balance, units);
-  const double unit = units.scaled_energy();
-  const double percent = balance.work != 0 ? 100 * residue(balance, last) / balance.work : 0;
-  const RunTotals& totals = run.totals;
-  const SolverWork& work = progress.work;
-  std::string text = "#\n";
-  const auto line = [&](std::string_view name, const std::string& value) {
-    text += fmt::format("# {:<22}{}\n", name, value);
-  };
-  line("stopped by", run.stop ? std::string(name_of(*run.stop)) : "a signal");
-  line("phi_max", fmt::format("{:.6f}", last.packing_density));
-  line("inserted length", fmt::format("{:.6g} a", last.inserted_length / scenario.wire.radius));
-  const auto energy = [&](std::string_view name, double value) {
-    value = without_round_off(value, balance.work);
-    line(name, fmt::format("{:.6g} YI/R = {}", value / unit, shown_energy(value, names)));
-  };
-  line("force",
-       fmt::format("{:.6g} YI/R^2 = {}", last.scaled_force, shown_force(last.force, names)));
-  energy("work int F dL", balance.work);
-  energy("  stored energy", last.energy_total);
-  if (scenario.method == Method::dynamic) {
-    energy("  kinetic energy", last.energy_kinetic);
-    energy("  rubbed off", balance.friction);
-    energy("  viscous", balance.viscous);
-  } else {
-    energy("  released in snaps", balance.released);
-    if (scenario.friction.model != FrictionModel::none) {
-      energy("  rubbed off", balance.friction);
-      energy("  held by contacts", balance.contact_springs);
-    }
-  }
-  energy("  lost in remeshing", balance.remeshing);
-  line("  residue", fmt::format("{:.3g} % of the work", percent));
-  if (scenario.method == Method::dynamic) {
-    const double share = totals.stored > 0 ? totals.kinetic / totals.stored : 0;
-    line(
-        "kinetic over stored",
-        fmt::format("{:.2g} %, mean of the run{}", 100 * share,
-                    share > quasistatic_share ? ": too fast; lower dynamics.insertion_speed" : ""));
-    line("time steps", fmt::format("{}", work.evaluations));
-  } else {
-    line("snaps", fmt::format("{}", progress.snaps));
-    line("rollbacks", fmt::format("{}", progress.rollbacks));
-    line("evaluations", fmt::format("{}", work.evaluations));
-    line("factorizations", fmt::format("{}", work.factorizations));
-    line("  rounds taken back", fmt::format("{}", work.rounds_taken_back));
-    line("neighbor lists made", fmt::format("{}", work.list_builds));
-    line("largest residual", fmt::format("{:.3g} YI/R^2 (tolerance {:.3g})",
-                                         totals.largest_residual, scenario.minimizer.tolerance));
-  }
-  line("largest overlap", fmt::format("{:.3g} a", totals.largest_overlap / scenario.wire.radius));
-  line("time", fmt::format("{:.1f} s", totals.seconds));
-  if (scenario.method == Method::dynamic) return text;  // one loop does all
-  double rest = totals.seconds;
-  const auto share = [&](std::string_view name, double seconds) {
-    line(name, fmt::format("{:.2f} s, {:.0f} %", seconds, 100 * seconds / totals.seconds));
-    rest -= seconds;
-  };
-  share("  energies", work.energy_seconds);
-  share("  neighbor lists", work.list_seconds);
-  share("  chart", work.chart_seconds);
-  share("  triangular solves", work.solve_seconds);
-  share("  factorizations", work.factorization_seconds);
-  share("  L-BFGS", work.descent_seconds);
-  share("  passages of strands", work.passage_seconds);
-  share("  all else", rest);
-  return text;
-}
 
 }  // namespace wirepack

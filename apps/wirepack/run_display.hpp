@@ -5,7 +5,6 @@
 #include <string>
 
 #include "wirepack/io/recorded_run.hpp"
-#include "wirepack/packing/declared_units.hpp"
 
 namespace wirepack {
 
@@ -30,10 +29,5 @@ class RunDisplay {
 
 /// A duration for people: "45 s", "12 min".
 std::string shown_time(double seconds);
-
-/// The result in numbers, as lines that start with '#'.
-/// Forces and energies also in the unit of the configuration, by its name if it is declared.
-std::string summary(const RecordedRun& run, const Scenario& scenario,
-                    const DeclaredUnits& names = {});
 
 }  // namespace wirepack

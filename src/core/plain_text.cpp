@@ -40,6 +40,13 @@ std::string plain(std::string_view text, std::string_view kept) {
 
 std::string plain_text(std::string_view text) { return plain(text, ""); }
 
+std::string plain_text(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return plain_text(text);
+  // a character that would be cut in two goes as a whole
+  while (longest > 0 && (byte_at(text, longest) & 0xc0) == 0x80) --longest;
+  return plain_text(text.substr(0, longest)) + "...";
+}
+
 std::string plain_lines(std::string_view text) { return plain(text, "\n\t"); }
 
 }  // namespace wirepack

@@ -282,4 +282,9 @@ std::vector<ConfigKey> config_keys() {
   };
 }
 
+bool is_section(std::string_view name, const std::vector<ConfigKey>& keys) {
+  return std::any_of(keys.begin(), keys.end(),
+                     [&](const ConfigKey& key) { return key.section == name; });
+}
+
 }  // namespace wirepack

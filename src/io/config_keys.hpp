@@ -37,4 +37,6 @@ struct ConfigKey {
 /// All keys, in the order in which they are written.
 std::vector<ConfigKey> config_keys();
 
+bool is_section(std::string_view name, const std::vector<ConfigKey>& keys);
+
 }  // namespace wirepack

@@ -36,12 +36,6 @@ struct ConfigText {
 ConfigText read_config_text(std::string_view text, const std::string& source,
                             const std::vector<ConfigOverride>& overrides);
 
-/// What keeps a text from being read as TOML at all: it is none, or would exhaust the parser.
-std::optional<std::string> unreadable(std::string_view text, const std::string& source);
-
-/// Text of a user in a message: without control characters, which a terminal would obey, and short.
-std::string printable(std::string_view text, std::size_t longest = 60);
-
 /// A value as messages and written configurations show it; numbers in the shortest form that reads
 /// back to the same bits.
 std::string shown(const ConfigValue& value);

@@ -2,10 +2,11 @@
 
 #include <optional>
 #include <string>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "wirepack/rod/reference_shape.hpp"
+
+#include "toml_text.hpp"
 
 namespace wirepack {
 

@@ -78,9 +78,7 @@ std::string gnuplot_title(const std::string& text) {
 void draw_with_gnuplot(const std::filesystem::path& folder, const std::string& name,
                        const std::string& data, const std::string& commands,
                        const std::string& size, const std::string& pixels) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+  make_folder(folder);
   std::string script = fmt::format("# draws {0}.png, {0}.pdf and {0}.svg from {0}.dat\n", name);
   const auto add = [&](const std::string& terminal, const std::string& extension) {
     script += fmt::format("set terminal {}\nset output '{}.{}'\n", terminal, name, extension);

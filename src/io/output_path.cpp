@@ -81,4 +81,11 @@ void output_folder(const fs::path& folder, const std::vector<std::string>& files
   for (const std::string& file : files) output_file(folder / file, rules);
 }
 
+bool make_folder(const fs::path& folder) {
+  std::error_code error;
+  const bool made = fs::create_directories(folder, error);
+  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+  return made;
+}
+
 }  // namespace wirepack

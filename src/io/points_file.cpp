@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 
 #include "markups_file.hpp"
 #include "text_columns.hpp"
@@ -32,13 +33,7 @@ constexpr std::array<std::string_view, 5> arc_names{"arc", "arc_length", "arc le
                                                     "abscissas"};
 constexpr std::array<std::string_view, 3> sigma_names{"sigma", "standard_error", "standard error"};
 
-std::string shown(std::string_view text) {
-  std::string result;
-  for (const char c : text.substr(0, 30)) {
-    result += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
-  }
-  return result;
-}
+std::string shown(std::string_view text) { return plain_text(text, 30); }
 
 /// What the columns are: indices of x, y, z, arc and sigma, or -1.
 struct Columns {

@@ -6,6 +6,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/config_file.hpp"
+#include "wirepack/io/continuation.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/hdf5_recorder.hpp"
 #include "wirepack/io/output_path.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/packing/quasistatic_packing.hpp"
 
 namespace wirepack {
 
@@ -11,9 +12,6 @@ namespace {
 void require(bool holds, const char* problem) {
   if (!holds) throw FileError(problem);
 }
-
-// No increment is taken in smaller parts (see QuasistaticPacking).
-constexpr double smallest_substep = 1.0 / 1024;
 
 bool are_there(Index first, Index second, Index count) {
   // a second one of -1 is the wall

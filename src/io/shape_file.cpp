@@ -1,7 +1,6 @@
 #include "wirepack/io/shape_file.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/version.hpp"
@@ -9,6 +8,7 @@
 #include "atomic_file.hpp"
 #include "darboux_rows.hpp"
 #include "text_file.hpp"
+#include "toml_text.hpp"
 
 namespace wirepack {
 
@@ -95,25 +95,18 @@ void write_shape(const std::filesystem::path& file, const ShapeFit& fit,
 DarbouxTable read_shape(const std::filesystem::path& file) {
   const std::string name = file.string();
   const std::string text = read_text(file, "a shape", largest_shape);
-  if (text.find('\0') != std::string::npos) throw InvalidInput(name + ": is not a text file");
+  const toml::table root = toml_table(text, name);
+  const toml::array* k0 = root["shape"]["k0"].as_array();
+  if (k0 == nullptr) {
+    throw InvalidInput(name + ": has no `k0 = [[s, k1, k2, k3], ...]` in [shape]");
+  }
+  const std::string where = place(name, k0->source()) + ": ";
+  const auto rows = darboux_rows(*k0);
+  if (!rows) throw InvalidInput(where + "k0 must be rows [s, k1, k2, k3] of numbers");
   try {
-    const toml::table root = toml::parse(text);
-    const toml::array* k0 = root["shape"]["k0"].as_array();
-    if (k0 == nullptr) {
-      throw InvalidInput(name + ": has no `k0 = [[s, k1, k2, k3], ...]` in [shape]");
-    }
-    const auto where =
-        fmt::format("{}:{}:{}: ", name, k0->source().begin.line, k0->source().begin.column);
-    const auto rows = darboux_rows(*k0);
-    if (!rows) throw InvalidInput(where + "k0 must be rows [s, k1, k2, k3] of numbers");
-    try {
-      return DarbouxTable(*rows);
-    } catch (const InvalidInput& error) {
-      throw InvalidInput(where + error.what());
-    }
-  } catch (const toml::parse_error& error) {
-    throw InvalidInput(fmt::format("{}:{}:{}: {}", name, error.source().begin.line,
-                                   error.source().begin.column, error.description()));
+    return DarbouxTable(*rows);
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(where + error.what());
   }
 }
 

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "config_text.hpp"
+#include "wirepack/core/plain_text.hpp"
 
 namespace wirepack {
 
@@ -16,15 +16,11 @@ namespace {
 constexpr double most_values = 1e5;
 using Problems = std::vector<std::string>;
 
-std::string place(const std::string& source, const toml::node& node) {
-  return fmt::format("{}:{}:{}", source, node.source().begin.line, node.source().begin.column);
-}
-
 auto position(const toml::node& node) {
   return std::pair(node.source().begin.line, node.source().begin.column);
 }
 
-std::string toml_text(const toml::node& node) {
+std::string as_toml(const toml::node& node) {
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
   return text.str();
@@ -34,11 +30,11 @@ std::string toml_text(const toml::node& node) {
 std::string shown_value(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
-  return toml_text(node);
+  return as_toml(node);
 }
 
 SweepValue value_of(const std::string& key, const toml::node& node, const std::string& source) {
-  return {key, toml_text(node), shown_value(node), place(source, node)};
+  return {key, as_toml(node), shown_value(node), place(source, node.source())};
 }
 
 // Steps of decimal fractions hit them: 0.1, 0.2, 0.3 and not 0.30000000000000004.
@@ -94,7 +90,7 @@ std::vector<SweepValue> range_values(const std::string& key, const toml::table& 
     problems.push_back(
         fmt::format("{}: {}: the range {}; a range is {{ from = 1, to = 9, step = 2 }}, "
                     "or with count = 5 in place of the step, and spacing = \"log\"",
-                    place(source, table), key, problem));
+                    place(source, table.source()), key, problem));
     return {};
   }
   std::vector<SweepValue> values;
@@ -106,7 +102,7 @@ std::vector<SweepValue> range_values(const std::string& key, const toml::table& 
                                         : range.from + (range.to - range.from) * part;
     const std::string text =
         by_step && range.whole ? fmt::format("{:.0f}", number) : fmt::format("{}", rounded(number));
-    values.push_back({key, text, text, place(source, table)});
+    values.push_back({key, text, text, place(source, table.source())});
   }
   return values;
 }
@@ -122,7 +118,7 @@ std::vector<SweepValue> listed_values(const std::string& key, const toml::node& 
   if (list == nullptr || list->empty()) {
     problems.push_back(fmt::format(
         "{}: sweep.{} = {}: must be a list of values, or a range {{ from = 1, to = 9 }}",
-        place(source, node), key, printable(toml_text(node))));
+        place(source, node.source()), key, plain_text(as_toml(node), bytes_in_a_message)));
     return values;
   }
   for (const toml::node& value : *list) {
@@ -132,7 +128,7 @@ std::vector<SweepValue> listed_values(const std::string& key, const toml::node& 
       problems.push_back(
           fmt::format("{}: sweep.{}: lists have numbers, strings, true and false; "
                       "other values are for [sweep.cases.NAME]",
-                      place(source, value), key));
+                      place(source, value.source()), key));
     }
   }
   return values;
@@ -151,10 +147,10 @@ std::vector<KeyNode> key_nodes(const toml::table& sections, const std::string& s
   for (const auto& [section, node] : sections) {
     const toml::table* table = node.as_table();
     if (table == nullptr) {
-      const std::string name = printable(section.str());
+      const std::string name = plain_text(section.str(), bytes_in_a_message);
       problems.push_back(
           fmt::format("{}: {}: must be a section.key of the configuration, such as cavity.radius{}",
-                      place(source, node), name,
+                      place(source, node.source()), name,
                       name.find('.') == std::string::npos ? "" : "; write it without quotes"));
       continue;
     }
@@ -177,7 +173,7 @@ SweepAxis zipped(const toml::table& table, const std::string& source, Problems& 
     if (values.size() != axis.points.size()) {
       problems.push_back(fmt::format(
           "{}: sweep.zip: {} has {} values, but {} has {}; lists of a zip are equally long",
-          place(source, *item.node), item.key, values.size(), axis.keys.front(),
+          place(source, item.node->source()), item.key, values.size(), axis.keys.front(),
           axis.points.size()));
       continue;
     }
@@ -190,12 +186,12 @@ SweepAxis cases_of(const toml::table& table, const std::string& source, Problems
   SweepAxis axis{{"case"}, {}};
   std::vector<std::tuple<std::uint32_t, std::uint32_t, std::string, const toml::table*>> cases;
   for (const auto& [name, node] : table) {
-    const std::string shown = printable(name.str());
+    const std::string shown = plain_text(name.str(), bytes_in_a_message);
     const toml::table* values = node.as_table();
     if (values == nullptr || values->empty()) {
       problems.push_back(
           fmt::format("{}: sweep.cases.{}: must be a table of keys, such as wire.radius = 1",
-                      place(source, node), shown));
+                      place(source, node.source()), shown));
       continue;
     }
     cases.emplace_back(name.source().begin.line, name.source().begin.column, shown, values);
@@ -224,7 +220,8 @@ std::vector<SweepAxis> sweep_axes(toml::table& sweep, const std::string& source,
   if (const toml::node* zips = sweep.get("zip")) {
     const toml::array* list = zips->as_array();
     if (list == nullptr || !list->is_array_of_tables()) {
-      problems.push_back(place(source, *zips) + ": sweep.zip: must be tables [[sweep.zip]]");
+      problems.push_back(place(source, zips->source()) +
+                         ": sweep.zip: must be tables [[sweep.zip]]");
     } else {
       for (const toml::node& zip : *list) {
         placed.emplace_back(position(zip), zipped(*zip.as_table(), source, problems));
@@ -236,7 +233,7 @@ std::vector<SweepAxis> sweep_axes(toml::table& sweep, const std::string& source,
     if (const toml::table* table = cases->as_table()) {
       placed.emplace_back(position(*cases), cases_of(*table, source, problems));
     } else {
-      problems.push_back(place(source, *cases) +
+      problems.push_back(place(source, cases->source()) +
                          ": sweep.cases: must be tables [sweep.cases.NAME]");
     }
     sweep.erase("cases");

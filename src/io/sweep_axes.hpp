@@ -1,10 +1,9 @@
 #pragma once
 
 #include <string>
-#include <toml++/toml.h>
 #include <vector>
 
-#include "wirepack/io/config_file.hpp"
+#include "toml_text.hpp"
 
 namespace wirepack {
 

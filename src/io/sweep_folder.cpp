@@ -7,11 +7,12 @@
 #include <system_error>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/config_file.hpp"
+#include "wirepack/io/continuation.hpp"
 #include "wirepack/io/output_path.hpp"
 
 #include "atomic_file.hpp"
-#include "config_text.hpp"
 #include "text_file.hpp"
 
 namespace wirepack {
@@ -31,7 +32,7 @@ std::vector<std::string> split(const std::string& line) {
 std::string list_text(const Sweep& sweep) {
   const auto line = [](const std::string& name, const std::vector<std::string>& values) {
     std::string text = name;
-    for (const std::string& value : values) text.append("\t").append(printable(value, 1000));
+    for (const std::string& value : values) text.append("\t").append(plain_text(value, 1000));
     return text.append("\n");
   };
   std::string text = line("task", sweep.keys);
@@ -39,14 +40,12 @@ std::string list_text(const Sweep& sweep) {
   return text;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
-}
-
 void write_text(const std::filesystem::path& file, const std::string& text) {
   replace_file(file, {text.begin(), text.end()});
+}
+
+std::string config_text(const SweepTask& task) {
+  return resolved_config(task.scenario, task.units);
 }
 
 enum class Difference { none, is_new, limits };
@@ -54,15 +53,15 @@ enum class Difference { none, is_new, limits };
 Difference difference(const std::filesystem::path& config, const SweepTask& task,
                       std::vector<std::string>& problems) {
   if (!std::filesystem::exists(config)) return Difference::is_new;
-  const Scenario before = read_config(config);
-  if (const auto conflict = continuation_conflict(before, task.scenario)) {
+  const Configuration before = read_configuration(config);
+  if (const auto conflict = continuation_conflict(before.scenario, task.scenario)) {
     problems.push_back(
         fmt::format("{}: is of another plan: {}; give another folder, or move this "
                     "task away",
                     config.parent_path().string(), *conflict));
   }
-  return resolved_config(before) == resolved_config(task.scenario) ? Difference::none
-                                                                   : Difference::limits;
+  return resolved_config(before.scenario, before.units) == config_text(task) ? Difference::none
+                                                                             : Difference::limits;
 }
 
 }  // namespace
@@ -83,7 +82,7 @@ SweepChange write_sweep(const std::filesystem::path& folder, const Sweep& sweep)
   if (!problems.empty()) throw InvalidInput(fmt::format("{}", fmt::join(problems, "\n")));
   for (const SweepTask* task : to_write) {
     make_folder(folder / task->name);
-    write_text(folder / task->name / task_config_file, resolved_config(task->scenario));
+    write_text(folder / task->name / task_config_file, config_text(*task));
   }
   const std::filesystem::path list = folder / task_list_file;
   const std::string text = list_text(sweep);

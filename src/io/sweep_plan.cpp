@@ -5,21 +5,21 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/config_file.hpp"
 
-#include "config_text.hpp"
+#include "problem_list.hpp"
 #include "sweep_axes.hpp"
 #include "text_file.hpp"
+#include "toml_text.hpp"
 
 namespace wirepack {
 
 namespace {
 
 constexpr std::size_t largest_file = 1'000'000;
-constexpr std::size_t most_problems = 50;
 constexpr std::size_t most_tasks = 100'000;
 constexpr std::size_t longest_name = 200;  // a file system takes 255 bytes
 
@@ -31,45 +31,30 @@ struct Plan {
   std::vector<SweepAxis> axes;
 };
 
-[[noreturn]] void refuse(const std::vector<std::string>& problems) {
-  const std::size_t shown = std::min(problems.size(), most_problems);
-  std::string message =
-      fmt::format("{}", fmt::join(problems.begin(), problems.begin() + shown, "\n"));
-  if (problems.size() > shown) message += fmt::format("\nand {} more", problems.size() - shown);
-  throw InvalidInput(message);
-}
-
 Plan read_plan(std::string_view text, const std::filesystem::path& source) {
   const std::string name = source.string();
   std::vector<std::string> problems;
   Plan plan{"", name, {}, {}};
-  if (const auto problem = unreadable(text, name)) throw InvalidInput(*problem);
-  try {
-    toml::table root = toml::parse(text);
-    if (const toml::node* base = root.get("base")) {
-      const auto* file = base->as_string();
-      if (file == nullptr) throw InvalidInput(name + ": base must be the name of a configuration");
-      const std::filesystem::path path = source.parent_path() / file->get();
-      plan.base_text = read_text(path, "a configuration", largest_file);
-      plan.base_source = path.string();
-      root.erase("base");
-    }
-    if (toml::table* sweep = root["sweep"].as_table()) {
-      plan.axes = sweep_axes(*sweep, name, problems);
-    }
-    if (plan.axes.empty() && problems.empty()) {
-      throw InvalidInput(name +
-                         ": has no [sweep] with the keys that vary, such as "
-                         "`cavity.radius = [5, 10]`; `wirepack run` is for one run");
-    }
-    root.erase("sweep");
-    plan.fixed = section_values(root, name, problems);
-  } catch (const toml::parse_error& error) {
-    throw InvalidInput(fmt::format("{}:{}:{}: {}", name, error.source().begin.line,
-                                   error.source().begin.column,
-                                   printable(error.description(), 300)));
+  toml::table root = toml_table(text, name);
+  if (const toml::node* base = root.get("base")) {
+    const auto* file = base->as_string();
+    if (file == nullptr) throw InvalidInput(name + ": base must be the name of a configuration");
+    const std::filesystem::path path = source.parent_path() / file->get();
+    plan.base_text = read_text(path, "a configuration", largest_file);
+    plan.base_source = path.string();
+    root.erase("base");
   }
-  if (!problems.empty()) refuse(problems);
+  if (toml::table* sweep = root["sweep"].as_table()) {
+    plan.axes = sweep_axes(*sweep, name, problems);
+  }
+  if (plan.axes.empty() && problems.empty()) {
+    throw InvalidInput(name +
+                       ": has no [sweep] with the keys that vary, such as "
+                       "`cavity.radius = [5, 10]`; `wirepack run` is for one run");
+  }
+  root.erase("sweep");
+  plan.fixed = section_values(root, name, problems);
+  require_none(problems);
   return plan;
 }
 
@@ -78,7 +63,8 @@ std::vector<std::string> keys_of(const Plan& plan, const std::string& source) {
   std::set<std::string> set;
   const auto add = [&](const std::string& key) {
     if (!set.insert(key).second) {
-      problems.push_back(fmt::format("{}: sweep: {} is given twice", source, printable(key)));
+      problems.push_back(
+          fmt::format("{}: sweep: {} is given twice", source, plain_text(key, bytes_in_a_message)));
     }
   };
   for (const SweepAxis& axis : plan.axes) {
@@ -89,7 +75,7 @@ std::vector<std::string> keys_of(const Plan& plan, const std::string& source) {
     }
     std::for_each(of_axis.begin(), of_axis.end(), add);
   }
-  if (!problems.empty()) refuse(problems);
+  require_none(problems);
   return keys;
 }
 
@@ -133,7 +119,7 @@ class Expansion {
     }
     std::vector<const SweepPoint*> chosen;
     choose(chosen);
-    if (!problems_.empty()) refuse(problems_);
+    require_none(problems_);
     if (sweep_.tasks.empty()) throw InvalidInput(source_.string() + ": [sweep] makes no task");
     return std::move(sweep_);
   }
@@ -169,7 +155,10 @@ class Expansion {
     }
     check_name(task.name);
     try {
-      task.scenario = parse_config(plan_.base_text, plan_.base_source, overrides);
+      Configuration task_config =
+          parse_configuration(plan_.base_text, plan_.base_source, overrides);
+      task.scenario = std::move(task_config.scenario);
+      task.units = std::move(task_config.units);
     } catch (const InvalidInput& error) {
       std::istringstream lines(error.what());
       for (std::string line; std::getline(lines, line);) complain(line);
@@ -180,13 +169,13 @@ class Expansion {
   void check_name(const std::string& name) {
     if (name.size() > longest_name) {
       complain(fmt::format("{}: the name of a task is too long: {}; give cases with short names",
-                           source_.string(), printable(name)));
+                           source_.string(), plain_text(name, bytes_in_a_message)));
     }
     if (!taken_.insert(name).second) {
       complain(
           fmt::format("{}: two tasks would have the name {}; their values must differ in "
                       "letters, digits or + - .",
-                      source_.string(), printable(name, longest_name)));
+                      source_.string(), plain_text(name, longest_name)));
     }
   }
 

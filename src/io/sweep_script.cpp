@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "wirepack/core/shell_quoted.hpp"
+
 #include "atomic_file.hpp"
 
 namespace wirepack {
@@ -29,6 +31,10 @@ tasks=(
 
 # Slurm numbers the elements of an array below MaxArraySize: longer lists go as several arrays.
 submit() {
+  command -v sbatch > /dev/null || {
+    echo "slurm.sh: sbatch of Slurm is not found on this machine" >&2
+    exit 5
+  }
   cd "$(dirname "${BASH_SOURCE[0]}")" && mkdir -p slurm || exit 5
   local jobs=$(((${#tasks[@]} + tasks_per_job - 1) / tasks_per_job))
   local most first last
@@ -91,11 +97,15 @@ constexpr std::string_view parallel_script = R"SCRIPT(#!/bin/bash
 # Tasks of this folder by GNU parallel. Made by `wirepack sweep`:
 #     bash parallel.sh [options of parallel, such as --sshloginfile hosts]
 # Hosts must share this folder. It can be run again at any time: finished tasks return at once.
-wirepack=@program@
-cd "$(dirname "${BASH_SOURCE[0]}")" || exit 5
-run="'$wirepack' run {}/config.toml -o {}/run.h5 --resume --threads @threads@ --log {}/run.log"
+export wirepack=@program@
+command -v parallel > /dev/null || {
+  echo "parallel.sh: GNU parallel is not found on this machine" >&2
+  exit 127
+}
+cd "$(dirname "${BASH_SOURCE[0]}")" || exit 255
+run='"$wirepack" run {}/config.toml -o {}/run.h5 --resume --threads @threads@ --log {}/run.log'
 # Runs that are told to end have ten minutes to save.
-exec parallel --workdir "$PWD" --termseq TERM,600000,KILL,25 @at_once@"$@" \
+exec parallel --env wirepack --workdir "$PWD" --termseq TERM,600000,KILL,25 @at_once@"$@" \
   "$run || [ \$? -eq 3 ]" << 'END'
 @tasks@END
 )SCRIPT";
@@ -105,12 +115,6 @@ void fill_in(std::string& text, const std::string& name, const std::string& valu
   for (std::size_t at = 0; (at = text.find(place, at)) != std::string::npos; at += value.size()) {
     text.replace(at, place.size(), value);
   }
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
-  return result + "'";
 }
 
 /// The file of an engine: name, text, and how it says how many tasks run at once.
@@ -142,7 +146,7 @@ std::filesystem::path write_sweep_script(const std::filesystem::path& folder, Sw
   fill_in(text, "most_restarts", std::to_string(options.most_restarts));
   fill_in(text, "at_once", script.at_once);
   fill_in(text, "tasks", list);
-  fill_in(text, "program", quoted(options.program));
+  fill_in(text, "program", shell_quoted(options.program));
   const std::filesystem::path file = folder / script.name;
   replace_file(file, {text.begin(), text.end()});
   return file;

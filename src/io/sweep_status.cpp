@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/config_file.hpp"
+#include "wirepack/io/continuation.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/result_end.hpp"
 #include "wirepack/io/result_lock.hpp"
 #include "wirepack/io/sweep_folder.hpp"
-
-#include "config_text.hpp"
 
 namespace wirepack {
 
@@ -47,13 +47,13 @@ LastEnd last_end(const std::filesystem::path& log) {
   const char* begin = lines.back().data() + at + exit_code_line.size();
   int code = 0;
   std::from_chars(begin, lines.back().data() + lines.back().size(), code);
-  return {code, lines.size() > 1 ? printable(lines[lines.size() - 2], longest_remark) : ""};
+  return {code, lines.size() > 1 ? plain_text(lines[lines.size() - 2], longest_remark) : ""};
 }
 
 void fail(TaskStatus& status, int code, const std::string& message) {
   status.state = TaskState::failed;
   status.exit_code = code;
-  status.remark = printable(first_line(message), longest_remark);
+  status.remark = plain_text(first_line(message), longest_remark);
 }
 
 // Fills in what the result holds; true if it is finished.

@@ -9,6 +9,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/io/output_path.hpp"
 #include "wirepack/io/sweep_folder.hpp"
 #include "wirepack/io/sweep_status.hpp"
 #include "wirepack/observe/sample.hpp"
@@ -184,9 +185,7 @@ std::vector<std::filesystem::path> write_sweep_tables(const std::filesystem::pat
   Tables tables(list);
   for (const ListedTask& task : list.tasks) tables.add(task, folder / task.name);
   const std::filesystem::path target = folder / "tables";
-  std::error_code error;
-  std::filesystem::create_directories(target, error);
-  if (error) throw FileError(target.string() + ": cannot be made: " + error.message());
+  make_folder(target);
   std::vector<std::filesystem::path> files;
   const auto write = [&](const char* name, const std::string& text) {
     files.push_back(target / name);

@@ -5,17 +5,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "trimmed.hpp"
+
 namespace wirepack {
 
 namespace {
-
-constexpr std::string_view blanks = " \t\r\v\f";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 std::string unquoted(std::string_view field) {
   field = trimmed(field);

@@ -11,8 +11,6 @@ namespace wirepack {
 
 namespace {
 
-// An increment is taken in halves where it fails; a part this small that fails ends the run.
-constexpr double smallest_substep = 1.0 / 64;
 // Where what happened in it is not known well enough, an increment is taken in halves down to this
 // part.
 constexpr double resolving_substep = 1.0 / 8;

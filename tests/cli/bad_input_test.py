@@ -125,11 +125,31 @@ class BadInput(ProgramTest):
         self.refuse_config(b"\x89HDF\r\n\x1a\n\x00\x00", "is not a text file")
         self.refuse_config(b'[packing]\nsetup = "\xff"', "utf-8")
         self.refuse_config("#" * 2_000_000, "larger than 1 MB")
-        self.refuse_config("a." * 100_000 + "b = 1", "more than 4096 characters")
-        self.refuse_config("[a]\nb = " + "[" * 2000, "nested")
         self.refuse(["run", "none.toml", "-o", "out.h5"], "none.toml: there is no such file")
         self.refuse(["run", ".", "-o", "out.h5"], "is a folder")
         self.refuse(["run", "/dev/zero", "-o", "out.h5"], "is not a regular file")
+
+    def test_texts_that_are_too_deep_for_a_stack_are_refused_wherever_toml_is_read(self):
+        for text, part in {
+            "a." * 200_000 + "b = 1": "joined by more than 32 dots",
+            "[" + "1." * 200_000 + "1]\nb = 1": "joined by more than 32 dots",
+            "a = {b" + '."b"' * 200_000 + " = 1}": "joined by more than 32 dots",
+            "[a]\nb = " + "[" * 200_000: "nested",
+            "[" * 200_000: ":1:",
+            "[a]\n" + (' = [\n{"y"' + " . 1.1 . y" * 10).join(["b"] * 250): "nested",
+        }.items():
+            with self.subTest(text[:20]):
+                self.refuse_config(text, part)
+                self.write("plan.toml", text)
+                self.refuse(["sweep", "plan.toml", "-o", "out"], "plan.toml:", part)
+                (self.folder / "plan.toml").unlink()
+                self.write("shape.toml", text)
+                self.refuse_config('[wire]\nreference_shape = "shape.toml"', "shape.toml:", part)
+                (self.folder / "shape.toml").unlink()
+
+    def test_names_deep_within_values_deep_within_each_other_are_read(self):
+        opened = ["b"] + 119 * ['[\n{"y"' + " . 1.1 . y" * 10]
+        self.refuse_config("[a]\n" + " = ".join(opened) + " = 1" + "}]" * 119, "unknown section")
 
     def test_overrides(self):
         form = "must have the form section.key=value"

@@ -258,6 +258,9 @@ class Believed(ResultTest):
             "an increment twice": put("history/increment", 8, 8),
             "edges that are not there": put("checkpoint/slip_memory", (0, 0), 1e9),
             "a part of nothing": lambda f: f["checkpoint"].attrs.modify("substep", 0.0),
+            "a part that no increment is taken in": lambda f: f["checkpoint"].attrs.modify(
+                "substep", 1 / 128
+            ),
             "a checkpoint of another row": lambda f: f["checkpoint/last"].attrs.modify(
                 "increment", 17.0
             ),

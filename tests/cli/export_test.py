@@ -328,6 +328,13 @@ class Export(ProgramTest):
             start = commit[:12] if name == "stl" else commit  # a header of 80 characters
             self.assertIn(start.encode(), data[:4000], name)
 
+    def test_bytes_of_a_name_that_are_no_text_are_in_no_text(self):
+        name = b"odd\xff\x1b\n.h5"
+        os.link(self.folder / "run.h5", os.fsencode(self.folder) + b"/" + name)
+        text = self.export("mmcif", result=os.fsdecode(name)).read_bytes().decode()
+        self.assertIn("# from odd???.h5, a run", text)
+        self.assertNotIn("\x1b", text)
+
     def test_equal_calls_give_equal_bytes(self):
         for name in ENDINGS:
             first = self.export(name).read_bytes()

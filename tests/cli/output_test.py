@@ -62,6 +62,30 @@ class Output(ProgramTest):
                         if link is not None:
                             (self.folder / output).unlink()
 
+    def test_a_log_is_added_neither_to_an_input_nor_to_the_result(self):
+        os.symlink(self.folder / "new.h5", self.folder / "name_of_the_result")
+        os.link(self.folder / "rest.toml", self.folder / "name_of_the_shape")
+        for log, part in {
+            "run.toml": "is an input of this command",
+            "name_of_the_shape": "is an input of this command",
+            "new.h5": "is the result, new.h5",
+            "name_of_the_result": "is the result, new.h5",
+            ".": "is a folder",
+            "/dev/full": "is not a regular file",
+        }.items():
+            with self.subTest(log):
+                before = {name: (self.folder / name).read_bytes() for name in self.files()}
+                self.refused("run", "new.h5", part, "--log", log)
+                after = {name: (self.folder / name).read_bytes() for name in self.files()}
+                self.assertEqual(after, before)
+        self.write("run.log", "earlier\n")
+        self.assertEqual(self.call("run", "new.h5", "--log", "run.log")[0], 0)
+        log = (self.folder / "run.log").read_text()
+        self.assertTrue(log.startswith("earlier\n") and log.endswith("exit code 0\n"), log)
+
+    def files(self):
+        return [path.name for path in self.folder.iterdir() if path.is_file()]
+
     def test_folders_devices_and_pipes_are_refused(self):
         (self.folder / "folder").mkdir()
         os.mkfifo(self.folder / "pipe")

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import h5py
 
+from support import PROGRAM
 from sweep_support import PLAN, TASKS, Stops, SweepTest
 
 SHORT = PLAN.replace("40", "8").replace("[3, 3.5, 4]", "[3, 4]")
@@ -204,6 +205,24 @@ class Tasks(SweepTest):
         self.assertEqual((code, out), (0, "# 2 tasks: 2 done\n"), err)
         self.assertIn("reference_shape", (self.folder / "out/case=bent/config.toml").read_text())
 
+    def test_tasks_keep_the_units_of_the_plan(self):
+        units = '[units]\nlength = "mm"\nforce = "mN"\n'
+        plan = "[stop]\nincrements = 3\n[sweep]\ncavity.radius = [3, 4]\n" + units
+        self.write("plan.toml", plan)
+        self.sweep(0)
+        task = self.folder / "out/radius=3"
+        self.assertTrue((task / "config.toml").read_text().endswith("\n" + units))
+        self.assertRegex(
+            (task / "run.log").read_text(), r"# force .* YI/R\^2 = -?[0-9.]+ [a-z]*N\n"
+        )
+        with h5py.File(task / "run.h5") as file:
+            self.assertEqual(file.attrs["length_unit"], "mm")
+        # other units are no other plan
+        self.write("plan.toml", plan.replace("mm", "um"))
+        _, err = self.sweep(0)
+        self.assertIn("radius=3 has other limits or output now", err)
+        self.assertIn('length = "um"', (task / "config.toml").read_text())
+
     def test_a_dry_run_lists_the_tasks_and_writes_nothing(self):
         self.write("plan.toml", SHORT.replace("increments = 8", "density = 0.1"))
         code, out, err = self.run_program("sweep", "plan.toml", "--dry-run")
@@ -298,6 +317,76 @@ class Emitted(SweepTest):
             text = script.read_text()
             self.assertEqual(text.count("setup="), 12)
             self.assertNotRegex(text, "@[a-z_]+@")
+
+    def test_names_that_a_shell_would_change_are_quoted(self):
+        odd = 'it\'s $HOME `id` "here"'
+        (self.folder / odd / "bin").mkdir(parents=True)
+        program = shutil.copy(PROGRAM, self.folder / odd / "wire pack's $1")
+        self.write(
+            f"{odd}/plan.toml",
+            "[stop]\nincrements = 3\n[sweep]\ncavity.radius = [3]\npacking.seed = [1, 2, 3]\n",
+        )
+        for engine, name in [("slurm", "slurm.sh"), ("parallel", "parallel.sh")]:
+            with self.subTest(engine):
+                if engine == "parallel" and shutil.which("parallel") is None:
+                    self.skipTest("GNU parallel is not installed")
+                call = [program, "sweep", f"{odd}/plan.toml", "-o", f"{odd}/{engine}"]
+                subprocess.run(
+                    [*call, "--emit", engine], cwd=self.folder, check=True, capture_output=True
+                )
+                done = subprocess.run(
+                    ["bash", f"{odd}/{engine}/{name}"],
+                    cwd=self.folder,
+                    env={**os.environ, "PATH": f"{self.slurm_of_one()}:{os.environ['PATH']}"},
+                    capture_output=True,
+                    text=True,
+                    check=False,
+                )
+                self.assertEqual(done.returncode, 0, done.stderr)
+                states = [state for state, _ in self.status(f"{odd}/{engine}").values()]
+                self.assertEqual(states, ["done"] * 3, done.stderr)
+
+    def slurm_of_one(self):
+        """Programs called sbatch and scontrol: a job runs at once, where it is submitted."""
+        folder = self.folder / "slurm_of_one"
+        folder.mkdir(exist_ok=True)
+        array = "${1#--array=0-}"
+        for name, script in {
+            "sbatch": f"last={array}\nshift\nfor ((k = 0; k <= last; ++k)); do\n"
+            '  SLURM_ARRAY_TASK_ID=$k bash "$@" || exit\ndone\n',
+            "scontrol": "echo MaxArraySize = 1000\n",
+        }.items():
+            (folder / name).write_text("#!/bin/bash\n" + script)
+            (folder / name).chmod(0o755)
+        return folder
+
+    def test_an_engine_that_is_not_there_is_named_and_is_trouble_with_files(self):
+        self.write("plan.toml", SHORT)
+        (self.folder / "bin").mkdir()
+        for name in ("bash", "dirname", "mkdir", "sed"):
+            (self.folder / "bin" / name).symlink_to(shutil.which(name))
+        environment = {**os.environ, "PATH": str(self.folder / "bin")}
+        for engine, missing, end in [
+            (
+                "slurm",
+                "sbatch of Slurm",
+                "out/slurm.sh: ended with code 5: not all tasks are queued",
+            ),
+            (
+                "parallel",
+                "GNU parallel",
+                "out/parallel.sh: ended with code 127: not all tasks are run",
+            ),
+        ]:
+            with self.subTest(engine):
+                code, out, err = self.run_program(
+                    "sweep", "plan.toml", "-o", "out", "--executor", engine, env=environment
+                )
+                self.assertEqual((code, out), (5, ""), err)
+                self.assertIn(f"{engine}.sh: {missing} is not found on this machine\n", err)
+                self.assertIn(end, err)
+                states = {state for state, _ in self.status("out").values()}
+                self.assertEqual(states, {"waiting"})
 
     def test_what_is_finished_is_not_in_them(self):
         self.write("plan.toml", SHORT)

@@ -22,4 +22,7 @@ std::filesystem::path output_file(const std::filesystem::path& file, const Outpu
 void output_folder(const std::filesystem::path& folder, const std::vector<std::string>& files,
                    const OutputRules& rules);
 
+/// Makes a folder, and those that it is in; false: it was there. Throws FileError.
+bool make_folder(const std::filesystem::path& folder);
+
 }  // namespace wirepack

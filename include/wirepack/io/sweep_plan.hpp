@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "wirepack/packing/declared_units.hpp"
 #include "wirepack/packing/scenario.hpp"
 
 namespace wirepack {
@@ -14,6 +15,7 @@ struct SweepTask {
   std::string name;                 ///< "setup=low_torsion,radius=10,seed=1": fit for a folder
   std::vector<std::string> values;  ///< of the keys that the sweep varies; empty where not given
   Scenario scenario;
+  DeclaredUnits units;
 };
 
 /// Many runs that differ in some keys of the configuration.

@@ -15,6 +15,9 @@ namespace wirepack {
 
 struct PackingModel;
 
+/// An increment is taken in halves where it fails; a part this small that fails ends the run.
+inline constexpr double smallest_substep = 1.0 / 64;
+
 /// One quasi-static packing run, an increment at a time; the caller records what it gets and can
 /// stop or save `progress()` between any two increments. Feed, minimize, check, observe.
 class QuasistaticPacking {

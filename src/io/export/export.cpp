@@ -5,7 +5,9 @@
 #include <system_error>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+#include "wirepack/io/output_path.hpp"
 
 #include "../atomic_file.hpp"
 
@@ -13,21 +15,14 @@ namespace wirepack {
 
 namespace {
 
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-  }
-  return text;
-}
-
 std::vector<std::string> provenance(const Hdf5Reader& reader, const std::string& result,
                                     const Scenario& scenario) {
   const std::string state = reader.finished() ? "ended by " + reader.stop_reason() : "not finished";
   return {
-      one_line(
+      plain_text(
           fmt::format("wirepack {}, commit {}", reader.program_version(), reader.git_commit())),
-      one_line(fmt::format("from {}, a run {}, seed {}", result, state, scenario.seed)),
-      one_line(fmt::format("command: {}", reader.command_line())),
+      plain_text(fmt::format("from {}, a run {}, seed {}", result, state, scenario.seed)),
+      plain_text(fmt::format("command: {}", reader.command_line())),
       fmt::format("units of the configuration: wire radius a = {}, Young's modulus Y = {}, cavity "
                   "radius R = {}",
                   scenario.wire.radius, scenario.wire.youngs_modulus, scenario.cavity.radius)};
@@ -53,11 +48,7 @@ void write_files(const ExportedFiles& files) {
   try {
     for (const ExportedFile& file : files) {
       const std::filesystem::path folder = file.path.parent_path();
-      std::error_code error;
-      if (!folder.empty() && std::filesystem::create_directory(folder, error)) {
-        made.push_back(folder);
-      }
-      if (error) throw FileError(folder.string() + ": cannot be made: " + error.message());
+      if (!folder.empty() && make_folder(folder)) made.push_back(folder);
       const bool is_new = !std::filesystem::exists(file.path);
       replace_file(file.path, std::vector<char>(file.bytes.begin(), file.bytes.end()));
       if (is_new) made.push_back(file.path);

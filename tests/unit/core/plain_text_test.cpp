@@ -28,5 +28,16 @@ TEST(PlainText, bytes_that_are_no_characters_are_replaced) {
   EXPECT_EQ(plain_text("\xf4\x90\x80\x80"), "????");  // beyond the last character
 }
 
+TEST(PlainText, long_texts_are_cut_between_characters) {
+  EXPECT_EQ(plain_text("12345", 5), "12345");
+  EXPECT_EQ(plain_text("123456", 5), "12345...");
+  EXPECT_EQ(plain_text("123\xe2\x82\xac", 5), "123...");
+  EXPECT_EQ(plain_text("12\xe2\x82\xac"
+                       "3",
+                       5),
+            "12\xe2\x82\xac...");
+  EXPECT_EQ(plain_text("\x1b[31mlong", 2), "?[...");
+}
+
 }  // namespace
 }  // namespace wirepack

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/io/continuation.hpp"
 #include "wirepack/rod/elasticity.hpp"
 
 namespace wirepack {
@@ -163,6 +164,23 @@ TEST(ConfigFile, bending_and_torsional_stiffness_give_the_wire_that_has_them) {
   EXPECT_EQ(s.wall_stiffness, s.wire.youngs_modulus);
   EXPECT_EQ(s.contact.stiffness, s.wire.youngs_modulus);
   EXPECT_EQ(resolved_config(parsed(resolved_config(s))), resolved_config(s));
+}
+
+TEST(ConfigFile, units_are_written_and_read_back_and_change_no_number) {
+  const std::string text = "[cavity]\nradius = 8\n[units]\nlength = 'mm'\nforce = 'mN'\n";
+  const Configuration given = parse_configuration(text, "test.toml");
+  const std::string written = resolved_config(given.scenario, given.units);
+  const Configuration back = parse_configuration(written, "again.toml");
+  EXPECT_EQ(back.units.length, "mm");
+  EXPECT_EQ(back.units.force, "mN");
+  EXPECT_EQ(resolved_config(back.scenario), resolved_config(parsed("[cavity]\nradius = 8")));
+  const Configuration molecule =
+      parse_configuration("[wire]\npersistence_length = 50\ntemperature = 300\n", "test.toml");
+  EXPECT_EQ(molecule.units.length, "nm");
+  const Configuration resolved =
+      parse_configuration(resolved_config(molecule.scenario, molecule.units), "again.toml");
+  EXPECT_EQ(resolved.units.force, "pN");
+  EXPECT_EQ(resolved_config(resolved.scenario), resolved_config(molecule.scenario));
 }
 
 TEST(ConfigFile, a_persistence_length_is_k_B_T_over_bending_stiffness_in_the_declared_units) {
