@@ -24,6 +24,7 @@ class Interpreter {
     check_sections();
     for (const GivenKey& given : text_.keys) accept(given);
     check_rest_shape();
+    check_cavity();
     resolve_wire();
     result_.scenario = scenario();
     check_values();
@@ -109,6 +110,18 @@ class Interpreter {
     }
   }
 
+  // A sphere has a radius, an ellipsoid semi-axes.
+  void check_cavity() {
+    if (word_of("cavity.shape") != "ellipsoid") {
+      complain_about("cavity.semi_axes", "is for cavity.shape = \"ellipsoid\"");
+      return;
+    }
+    complain_about("cavity.radius", "an ellipsoid has cavity.semi_axes in its place");
+    if (given("cavity.semi_axes") == nullptr) {
+      complain_about("cavity.shape", "needs cavity.semi_axes = [x, y, z]");
+    }
+  }
+
   // Puts the keys in place that others stand for.
   void resolve_wire() {
     GivenNumbers numbers;
@@ -138,10 +151,14 @@ class Interpreter {
       const ConfigKey* key = find("packing", name);
       if (const ConfigValue* value = value_of(key->path())) key->set(chosen, *value);
     }
-    return default_scenario(
-        chosen.setup, Cavity{number_or("cavity.radius", plain.cavity.radius)},
-        number_or("wire.radius", plain.wire.radius),
-        number_or("wire.youngs_modulus", plain.wire.youngs_modulus), chosen.method);
+    Cavity cavity{number_or("cavity.radius", plain.cavity.radius)};
+    if (const ConfigValue* axes = value_of("cavity.semi_axes")) {
+      const Vec3& lengths = std::get<Vec3>(*axes);
+      if (lengths.minCoeff() > 0) cavity = ellipsoid(lengths);
+    }
+    return default_scenario(chosen.setup, cavity, number_or("wire.radius", plain.wire.radius),
+                            number_or("wire.youngs_modulus", plain.wire.youngs_modulus),
+                            chosen.method);
   }
 
   Scenario scenario() const {

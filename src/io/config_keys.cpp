@@ -25,6 +25,8 @@ constexpr std::array method_names{std::pair{Method::quasistatic, "quasistatic"},
 constexpr std::array friction_names{std::pair{FrictionModel::none, "none"},
                                     std::pair{FrictionModel::coulomb, "coulomb"}};
 
+constexpr std::string_view sphere_name = "sphere", ellipsoid_name = "ellipsoid";
+
 // Access to a member of a scenario, or to a member of a member.
 template <class Member>
 auto in(Member Scenario::*member) {
@@ -130,13 +132,34 @@ ConfigKey choice(std::string_view section, std::string_view name, const Names& n
   return key;
 }
 
-// A choice that has one value only.
-ConfigKey only(std::string_view section, std::string_view name, std::string_view value) {
-  ConfigKey key = named(section, name);
+ConfigKey cavity_shape() {
+  ConfigKey key = named("cavity", "shape");
   key.type = ConfigType::choice;
-  key.choices = {value};
-  key.set = [](Scenario&, const ConfigValue&) {};
-  key.get = [value](const Scenario&) { return ConfigValue(std::string(value)); };
+  key.choices = {sphere_name, ellipsoid_name};
+  key.set = [](Scenario&, const ConfigValue&) {};  // the keys of its sizes make it
+  key.get = [](const Scenario& s) {
+    return ConfigValue(std::string(s.cavity.semi_axes ? ellipsoid_name : sphere_name));
+  };
+  return key;
+}
+
+ConfigKey cavity_radius() {
+  ConfigKey key = member("cavity", "radius", in(&Scenario::cavity, &Cavity::radius));
+  key.get = [get = key.get](const Scenario& s) -> std::optional<ConfigValue> {
+    if (s.cavity.semi_axes) return std::nullopt;
+    return get(s);
+  };
+  return key;
+}
+
+ConfigKey semi_axes() {
+  ConfigKey key = named("cavity", "semi_axes");
+  key.type = ConfigType::vector;
+  key.set = [](Scenario& s, const ConfigValue& v) { s.cavity = ellipsoid(std::get<Vec3>(v)); };
+  key.get = [](const Scenario& s) -> std::optional<ConfigValue> {
+    if (!s.cavity.semi_axes) return std::nullopt;
+    return ConfigValue(*s.cavity.semi_axes);
+  };
   return key;
 }
 
@@ -236,8 +259,9 @@ std::vector<ConfigKey> config_keys() {
       stand_in("wire.coil", "coil_diameter"),
       stand_in("wire.coil", "youngs_modulus"),
       stand_in("wire.coil", "poisson_ratio"),
-      only("cavity", "shape", "sphere"),
-      member("cavity", "radius", in(&Scenario::cavity, &Cavity::radius)),
+      cavity_shape(),
+      cavity_radius(),
+      semi_axes(),
       member("cavity", "wall_stiffness", in(&Scenario::wall_stiffness)),
       choice("nozzle", "twist", twist_names, in(&Scenario::nozzle_twist)),
       member("contact", "enabled", in(&Scenario::contact_enabled)),

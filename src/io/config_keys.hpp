@@ -13,11 +13,12 @@
 
 namespace wirepack {
 
-/// Rows of k0(s) are written as [[s, k1, k2, k3], ...].
-using ConfigValue = std::variant<bool, std::int64_t, double, std::string, std::vector<DarbouxRow>>;
+/// Rows of k0(s) are written as [[s, k1, k2, k3], ...], vectors as [x, y, z].
+using ConfigValue =
+    std::variant<bool, std::int64_t, double, std::string, Vec3, std::vector<DarbouxRow>>;
 
 /// Shape: rows of k0(s), or the name of a file that holds them.
-enum class ConfigType { boolean, integer, number, choice, shape };
+enum class ConfigType { boolean, integer, number, vector, choice, shape };
 
 /// One key of the configuration: what reading, messages and writing all go by.
 struct ConfigKey {

@@ -17,7 +17,11 @@ namespace {
 
 std::string shown_name(std::string_view name) { return plain_text(name, bytes_in_a_message); }
 
-std::optional<ConfigValue> rows_of(const toml::array& array) {
+std::optional<ConfigValue> vector_or_rows(const toml::array& array) {
+  const auto number = [&](std::size_t k) { return array[k].value<double>(); };
+  if (array.size() == 3 && number(0) && number(1) && number(2)) {
+    return ConfigValue(Vec3(*number(0), *number(1), *number(2)));
+  }
   if (auto rows = darboux_rows(array)) return ConfigValue(std::move(*rows));
   return std::nullopt;
 }
@@ -27,7 +31,7 @@ std::optional<ConfigValue> value_of(const toml::node& node) {
   if (const auto* v = node.as_integer()) return ConfigValue(v->get());
   if (const auto* v = node.as_floating_point()) return ConfigValue(v->get());
   if (const auto* v = node.as_string()) return ConfigValue(v->get());
-  if (const auto* v = node.as_array()) return rows_of(*v);
+  if (const auto* v = node.as_array()) return vector_or_rows(*v);
   return std::nullopt;
 }
 
@@ -145,6 +149,9 @@ std::string shown(const ConfigValue& value) {
   if (const auto* v = std::get_if<std::string>(&value))
     return '"' + plain_text(*v, bytes_in_a_message) + '"';
   if (const auto* v = std::get_if<std::vector<DarbouxRow>>(&value)) return text_of(*v);
+  if (const auto* v = std::get_if<Vec3>(&value)) {
+    return fmt::format("[{}, {}, {}]", text_of(v->x()), text_of(v->y()), text_of(v->z()));
+  }
   return text_of(std::get<double>(value));
 }
 

@@ -59,6 +59,13 @@ std::optional<ConfigValue> number(const ConfigKey& key, const GivenKey& given,
   return std::nullopt;
 }
 
+std::optional<ConfigValue> vector(const GivenKey& given, std::string& problem) {
+  const auto* value = held<Vec3>(given);
+  if (value != nullptr && value->allFinite()) return ConfigValue(*value);
+  problem = "must be three finite numbers, [x, y, z]";
+  return std::nullopt;
+}
+
 // Rows, or those in a file.
 std::optional<ConfigValue> shape(const GivenKey& given, const std::filesystem::path& folder,
                                  std::string& problem) {
@@ -89,6 +96,8 @@ std::optional<ConfigValue> converted(const ConfigKey& key, const GivenKey& given
       return integer(key, given, problem);
     case ConfigType::number:
       return number(key, given, problem);
+    case ConfigType::vector:
+      return vector(given, problem);
     case ConfigType::choice:
       problem = "must be " + quoted_list(key.choices);
       return std::nullopt;

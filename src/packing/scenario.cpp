@@ -10,6 +10,7 @@
 #include "wirepack/packing/dynamics_values.hpp"
 #include "wirepack/packing/longest_wire.hpp"
 
+#include "cavity_problems.hpp"
 #include "scenario_numbers.hpp"
 
 namespace wirepack {
@@ -40,8 +41,6 @@ Scenario default_scenario(Setup setup, const Cavity& cavity, double wire_radius,
 
 namespace {
 
-// Of limits: numbers that were converted from other units are off by this much.
-constexpr double round_off = 1e-9;
 constexpr double largest_magnitude = 1e12;
 
 // What is so far from its unit cannot be meant, and products would leave the range of numbers.
@@ -100,6 +99,7 @@ void check_reference_shape(const Scenario& scenario, std::vector<std::string>& f
 std::vector<std::string> problems(const Scenario& scenario) {
   std::vector<std::string> found = problems(scenario.wire);
   check_reference_shape(scenario, found);
+  for (const std::string& problem : cavity_problems(scenario)) found.push_back(problem);
   for (const std::string& problem : problems(scenario.friction)) found.push_back(problem);
   const auto require = [&](bool ok, const char* key, double value, const std::string& allowed) {
     if (ok) return;
@@ -112,27 +112,6 @@ std::vector<std::string> problems(const Scenario& scenario) {
   const std::string must_be_positive = "must be positive and finite";
   const double a = scenario.wire.radius;
   const double l = scenario.wire.edge_length;
-  const double radius = scenario.cavity.radius;
-
-  require(positive(radius), "cavity.radius", radius, must_be_positive);
-  if (positive(radius) && positive(a)) {
-    std::ostringstream allowed;
-    allowed << "must be at least twice wire.radius = " << a;
-    if (radius < a / 10) allowed << "; are both in the same unit of length?";
-    require(radius >= 2 * a * (1 - round_off), "cavity.radius", radius, allowed.str());
-    std::ostringstream largest;
-    largest << "must be at most 1000 times wire.radius = " << a;
-    if (radius > 1e5 * a) largest << "; are both in the same unit of length?";
-    require(radius <= 1000 * a * (1 + round_off), "cavity.radius", radius, largest.str());
-    if (radius >= 2 * a * (1 - round_off) && positive(l)) {
-      std::ostringstream longest;
-      longest << "must be at most half of cavity.radius - wire.radius, " << (radius - a) / 2;
-      require(l <= (radius - a) / 2 * (1 + round_off), "wire.edge_length", l, longest.str());
-      std::ostringstream shortest;
-      shortest << "must be at least a tenth of wire.radius = " << a;
-      require(l >= a / 10 * (1 - round_off), "wire.edge_length", l, shortest.str());
-    }
-  }
   require(positive(scenario.wall_stiffness), "cavity.wall_stiffness", scenario.wall_stiffness,
           must_be_positive);
   require(positive(scenario.contact.stiffness), "contact.stiffness", scenario.contact.stiffness,
@@ -219,7 +198,8 @@ std::vector<std::string> problems(const Scenario& scenario) {
   require(imperfection.natural_curvature == 0 || scenario.wire.reference_shape.empty(),
           "imperfection.natural_curvature", imperfection.natural_curvature,
           "must be 0 beside wire.reference_shape, which says all about the wire's rest shape");
-  up_to("imperfection.nozzle_offset", imperfection.nozzle_offset, radius / (4 * a), "wire radii");
+  up_to("imperfection.nozzle_offset", imperfection.nozzle_offset,
+        semi_axes_of(scenario.cavity).minCoeff() / (4 * a), "wire radii");
   up_to("imperfection.nozzle_tilt", imperfection.nozzle_tilt, 0.5, "rad");
   require(positive(scenario.output.frame_every_density), "output.frame_every_density",
           scenario.output.frame_every_density, must_be_positive);

@@ -4,6 +4,9 @@
 
 namespace wirepack {
 
+// Of limits: numbers that were converted from other units are off by this much.
+inline constexpr double round_off = 1e-9;
+
 /// Calls f(key, number, unit) for every number of a scenario that has a unit, but for the rows of a
 /// reference shape; `scenario` may be const.
 template <class AScenario, class F>
