@@ -2,6 +2,7 @@
 // Drucker (1945) for a force of YI / L^2.
 #include <cmath>
 #include <cstdio>
+#include <exception>
 
 #include <wirepack/energy/joint_energy.hpp>
 #include <wirepack/energy/load_energy.hpp>
@@ -11,7 +12,7 @@
 
 using namespace wirepack;
 
-int main() {
+int main() try {
   constexpr Index edges = 100;
   constexpr double length = 100, exact = 0.30172077;  // deflection over length
 
@@ -55,4 +56,7 @@ int main() {
   const bool right = std::abs(deflection / exact - 1) < 1e-3 &&
                      std::abs(reaction + 1) < 1e-4;  // errors are of order (l k)^2
   return found.end == EquilibriumEnd::converged && found.stable && right ? 0 : 3;
+} catch (const std::exception& error) {  // NumericalFailure: what is given here is valid
+  std::fprintf(stderr, "equilibrium_of_a_rod: %s\n", error.what());
+  return 4;
 }

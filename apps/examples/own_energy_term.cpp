@@ -2,6 +2,7 @@
 // has to go round.
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 
 #include <wirepack/packing/quasistatic_packing.hpp>
 
@@ -38,7 +39,7 @@ struct BallEnergy {
   }
 };
 
-int main() {
+int main() try {
   Scenario scenario = default_scenario(Setup::low_torsion, {10});
   scenario.stop.density = 0.05;
   const BallEnergy ball{scenario.wire, 5, scenario.wall_stiffness};
@@ -51,4 +52,7 @@ int main() {
   std::printf("phi = %.3f: the wire keeps %.2f off the centre of a ball of %.2f\n",
               packing.progress().last.packing_density, nearest, ball.radius);
   return *stop == StopReason::density && nearest > 0.9 * ball.radius ? 0 : 3;
+} catch (const std::exception& error) {  // NumericalFailure: what is given here is valid
+  std::fprintf(stderr, "own_energy_term: %s\n", error.what());
+  return 4;
 }

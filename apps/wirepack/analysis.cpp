@@ -1,11 +1,9 @@
 #include "analysis.hpp"
 
 #include <cmath>
-#include <map>
 #include <set>
 
-#include "wirepack/core/error.hpp"
-#include "wirepack/io/config_file.hpp"
+#include "wirepack/io/scenario_groups.hpp"
 
 namespace wirepack {
 
@@ -43,45 +41,42 @@ Ensemble ensemble_of(const std::vector<AnalysedRun>& runs, std::vector<std::size
   return result;
 }
 
+std::vector<Scenario> scenarios_of(const std::vector<AnalysedRun>& runs) {
+  std::vector<Scenario> scenarios;
+  for (const AnalysedRun& run : runs) scenarios.push_back(run.scenario);
+  return scenarios;
+}
+
 }  // namespace
 
 std::vector<Ensemble> ensembles(const std::vector<AnalysedRun>& runs) {
-  std::map<std::string, std::vector<std::size_t>> members;
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    Scenario scenario = runs[k].scenario;
-    scenario.seed = 0;
-    members[resolved_config(scenario)].push_back(k);
-  }
   std::vector<Ensemble> result;
-  for (const auto& [config, of_config] : members) {
-    std::set<std::uint64_t> seeds;
-    for (const std::size_t k : of_config) seeds.insert(runs[k].scenario.seed);
-    // the same run twice is no ensemble
-    const bool different = seeds.size() == of_config.size();
-    if (different && of_config.size() > 1) result.push_back(ensemble_of(runs, of_config));
+  for (const std::vector<std::size_t>& members : seed_groups(scenarios_of(runs))) {
+    if (members.size() > 1) result.push_back(ensemble_of(runs, members));
   }
   return result;
 }
 
 std::vector<DensityLaw> density_laws(const std::vector<AnalysedRun>& runs) {
   std::vector<DensityLaw> laws;
-  for (const Setup setup : {Setup::low_torsion, Setup::high_torsion}) {
+  for (const std::vector<std::size_t>& series : radius_series(scenarios_of(runs))) {
     std::set<double> levels;
-    for (const AnalysedRun& run : runs) {
-      for (const LevelDensity& l : run.levels) {
+    for (const std::size_t k : series) {
+      for (const LevelDensity& l : runs[k].levels) {
         if (l.scale == "scaled_force" && l.mean) levels.insert(l.level);
       }
     }
     for (const double level : levels) {
       std::vector<double> ratio, density;
-      for (const AnalysedRun& run : runs) {
-        const LevelDensity* found = find_level(run, "scaled_force", level);
-        if (run.scenario.setup != setup || found == nullptr || !found->mean) continue;
-        ratio.push_back(run.scenario.wire.radius / run.scenario.cavity.radius);
+      for (const std::size_t k : series) {
+        const LevelDensity* found = find_level(runs[k], "scaled_force", level);
+        if (found == nullptr || !found->mean) continue;
+        ratio.push_back(runs[k].scenario.wire.radius / runs[k].scenario.cavity.radius);
         density.push_back(*found->mean);
       }
       if (ratio.size() < 3 || std::set<double>(ratio.begin(), ratio.end()).size() < 2) continue;
-      laws.push_back({setup, level, ratio.size(), fit_power_law(ratio, density)});
+      laws.push_back({runs[series.front()].scenario.setup, runs[series.front()].name, level,
+                      ratio.size(), fit_power_law(ratio, density)});
     }
   }
   return laws;

@@ -19,7 +19,7 @@ struct AnalysedRun {
   std::vector<ObservedFrame> frames;  ///< the last one, or one to each density that was asked for
 };
 
-/// Runs of one scenario but for the seed: numbers over them.
+/// Runs that differ in their seeds alone: numbers over them.
 struct Ensemble {
   std::vector<std::size_t> runs;                ///< two or more
   std::vector<std::vector<Sample>> quantities;  ///< of each frame that all runs have
@@ -32,10 +32,11 @@ struct Ensemble {
 };
 std::vector<Ensemble> ensembles(const std::vector<AnalysedRun>& runs);
 
-/// phi_max at a level of F R^2 / YI (mean over an edge) against a / R, of all runs in one setup
-/// that have one.
+/// phi_max at a level of F R^2 / YI (mean over an edge) against a / R, of the runs of a radius
+/// series that have one.
 struct DensityLaw {
   Setup setup;
+  std::string first_run;  ///< of the series, to tell it from others of its setup
   double level;
   std::size_t runs;
   PowerLaw law;

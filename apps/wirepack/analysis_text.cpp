@@ -19,14 +19,10 @@ std::string cell(const Quantity& quantity, double value) {
   return quantity.whole ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value);
 }
 
-double standard_error(const Sample& sample) {
-  return sample.deviation / std::sqrt(static_cast<double>(sample.count));
-}
-
 std::string with_error(const Sample& sample) {
   if (!std::isfinite(sample.mean)) return "-";
   if (!std::isfinite(sample.deviation)) return fmt::format("{:.5g}", sample.mean);
-  return fmt::format("{:.5g} +- {:.2g}", sample.mean, standard_error(sample));
+  return fmt::format("{:.5g} +- {:.2g}", sample.mean, sample.standard_error());
 }
 
 /// Rows of named cells, as many columns to a block as fit a wide line.
@@ -166,7 +162,7 @@ Json json_of(const ObservedFrame& frame, const AnalysedRun& run) {
 
 Json json_of(const Sample& sample) {
   return {{"mean", number(sample.mean)},
-          {"standard_error", number(standard_error(sample))},
+          {"standard_error", number(sample.standard_error())},
           {"count", sample.count}};
 }
 
@@ -205,9 +201,11 @@ std::string analysis_table(const std::vector<AnalysedRun>& runs) {
   if (!laws.empty())
     text += "\n# phi_max (mean over an edge) = factor (a/R)^exponent, errors by bootstrap\n";
   for (const DensityLaw& law : laws) {
-    text += fmt::format("{:<13} {}: exponent {:.4f} +- {:.4f}, factor {:.4f} +- {:.4f}, {} runs\n",
-                        name_of(law.setup), level_name("scaled_force", law.level), law.law.exponent,
-                        law.law.exponent_error, law.law.factor, law.law.factor_error, law.runs);
+    text += fmt::format(
+        "{:<13} {}: exponent {:.4f} +- {:.4f}, factor {:.4f} +- {:.4f}, {} runs as {}\n",
+        name_of(law.setup), level_name("scaled_force", law.level), law.law.exponent,
+        law.law.exponent_error, law.law.factor, law.law.factor_error, law.runs,
+        plain_text(law.first_run));
   }
   return text;
 }
@@ -221,6 +219,7 @@ std::string analysis_json(const std::vector<AnalysedRun>& runs) {
   for (const Ensemble& e : ensembles(runs)) result["ensembles"].push_back(json_of(e, runs));
   for (const DensityLaw& law : density_laws(runs)) {
     result["power_laws"].push_back({{"setup", name_of(law.setup)},
+                                    {"first_run", law.first_run},
                                     {"scaled_force", law.level},
                                     {"runs", law.runs},
                                     {"exponent", law.law.exponent},

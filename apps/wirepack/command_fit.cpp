@@ -234,7 +234,7 @@ Command fit_command(CLI::App& program, const std::string& command_line) {
   app->add_option("--intervals", options->intervals,
                   "Knot intervals of the spline; chosen by Schwarz's criterion if not given")
       ->type_name("N")
-      ->check(CLI::Range(1, 96));
+      ->check(CLI::Range(Index{1}, most_intervals));
   app->add_option("--figures", options->figures,
                   "Folder for a picture of points, shape and residuals (PNG, PDF, SVG)")
       ->type_name("DIR");

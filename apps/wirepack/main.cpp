@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
 #include <malloc.h>
 #include <new>
@@ -62,6 +63,9 @@ int run_safely(const std::string& name, const std::function<int()>& run) {
     return report(name, error, exit_numerical_failure);
   } catch (const FileError& error) {
     return report(name, error, exit_file_error);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string file = error.path1().string();
+    return report(name, FileError(file + ": " + error.code().message()), exit_file_error);
   } catch (const std::system_error& error) {
     // words of the system, not of a library
     return report(name, FileError(error.code().message()), exit_file_error);
@@ -110,7 +114,9 @@ int run_program(int count, char** arguments) {
                                       compare_command(program, shell_text(count, arguments)),
                                       analyze_command(program),
                                       export_command(program),
+#ifdef WIREPACK_FIT
                                       fit_command(program, shell_text(count, arguments)),
+#endif
                                       sweep_command(program),
                                       view_command(program)};
   try {

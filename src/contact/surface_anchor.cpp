@@ -65,9 +65,9 @@ SurfaceAnchor strand_anchor(const RodState& state, const RodParams& params, Inde
   return anchored(state, params, strand_slip(state, first, s, second, t, separation - spring));
 }
 
-SurfaceAnchor wall_anchor(const RodState& state, const RodParams& params, Index node,
-                          const Vec3& spring) {
-  const SurfaceSlip start = wall_slip(state, node, params.radius);
+SurfaceAnchor wall_anchor(const RodState& state, const RodParams& params, const Cavity& cavity,
+                          Index node, const Vec3& spring) {
+  const SurfaceSlip start = wall_slip(state, node, params.radius, cavity);
   SurfaceAnchor anchor = anchored(state, params, start);
   anchor.on_wall = true;
   anchor.origin = state.nodes.col(node) + start.edges[0].lever + start.edges[1].lever - spring;

@@ -15,9 +15,9 @@ SurfaceSlip strand_slip(const RodState& state, Index first, double s, Index seco
   return slip;
 }
 
-SurfaceSlip wall_slip(const RodState& state, Index node, double wire_radius) {
+SurfaceSlip wall_slip(const RodState& state, Index node, double wire_radius, const Cavity& cavity) {
   SurfaceSlip slip;
-  slip.normal = -state.nodes.col(node).normalized();
+  slip.normal = -outward_normal(cavity, state.nodes.col(node));
   const Vec3 lever = -wire_radius * slip.normal;
   slip.nodes[0] = {node, 1.0};
   const bool closed = state.ends.closed;

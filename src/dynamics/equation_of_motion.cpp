@@ -98,8 +98,8 @@ void EquationOfMotion::add_friction_of(const DynamicState& state, FrictionMemory
       const double overlap = -wall_gap(*forces_.cavity, rod.nodes.col(i), forces_.wire.radius);
       if (overlap <= 0) continue;
       const double stiffness = wall_->stiffness(rod, i);
-      touches_.push_back(
-          {i, -1, wall_slip(rod, i, forces_.wire.radius), stiffness * overlap, stiffness});
+      touches_.push_back({i, -1, wall_slip(rod, i, forces_.wire.radius, *forces_.cavity),
+                          stiffness * overlap, stiffness});
     }
   }
   add(memory.wall);

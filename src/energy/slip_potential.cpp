@@ -62,7 +62,7 @@ void move_edge(Index edge, const RodState& before, const RodState& now, double w
 
 }  // namespace
 
-SlipPotential::SlipPotential(const RodParams& params, const SphericalCavity& cavity,
+SlipPotential::SlipPotential(const RodParams& params, const Cavity& cavity,
                              const FrictionParams& friction)
     : params_(params), cavity_(cavity), friction_(friction) {}
 
@@ -85,8 +85,8 @@ void SlipPotential::start(const RodState& state, std::span<const SelfContact> to
   };
   for (Index i = 0; i < rubbing_nodes(state); ++i) {
     if (wall_forces[i] <= 0) continue;
-    add({i, wall}, wall_forces[i], wall_slip(state, i, params_.radius),
-        [&](const Vec3& spring) { return wall_anchor(state, params_, i, spring); });
+    add({i, wall}, wall_forces[i], wall_slip(state, i, params_.radius, cavity_),
+        [&](const Vec3& spring) { return wall_anchor(state, params_, cavity_, i, spring); });
   }
   for (const SelfContact& touch : touches) {
     const auto& [i, j] = touch.edges;
@@ -141,7 +141,7 @@ SlipPotential::Joined SlipPotential::join(const RodState& before, const RodState
     add({i, wall}, wall_forces[i], way, [&](double share) {
       if (i > 0) move_edge(i - 1, before, now, share, touch_state);
       if (i < now.edge_count()) move_edge(i, before, now, share, touch_state);
-      return wall_anchor(touch_state, params_, i, Vec3::Zero());
+      return wall_anchor(touch_state, params_, cavity_, i, Vec3::Zero());
     });
   }
   for (const SelfContact& touch : touches) {

@@ -4,12 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "wirepack/contact/wall_point.hpp"
 #include "wirepack/core/lane_differences.hpp"
 #include "wirepack/core/lanes.hpp"
 
 namespace wirepack {
 
-WallEnergy::WallEnergy(const RodParams& params, const SphericalCavity& cavity, double stiffness)
+WallEnergy::WallEnergy(const RodParams& params, const Cavity& cavity, double stiffness)
     : params_(params), cavity_(cavity), stiffness_(stiffness) {}
 
 namespace {
@@ -27,8 +28,8 @@ Index node_inside(const RodState& state, Index end) {
 
 // Cosine of the angle between the edge of a free end at r, which starts at `inside`, and the wall's
 // normal.
-double cosine_at(const Vec3& r, const Vec3& inside) {
-  return (r - inside).normalized().dot(r.normalized());
+double cosine_at(const Cavity& cavity, const Vec3& r, const Vec3& inside) {
+  return (r - inside).normalized().dot(outward_normal(cavity, r));
 }
 
 template <class T>
@@ -38,50 +39,56 @@ struct EndContact {
 };
 
 // Energy of a free end: k / 2 (h + (d - h) c^2) overlap^2, h half an edge and d = 2 a.
-template <class T>
+template <class T, class Shape>
 EndContact<T> end_contact(const Triple<T>& r, const Triple<T>& inside, double half_edge,
-                          double stiffness, const SphericalCavity& cavity, double wire_radius) {
+                          double stiffness, const Shape& shape, double wire_radius) {
   using std::sqrt;
-  const T distance = sqrt(dot(r, r));
-  const Triple<T> n = (1.0 / distance) * r, edge = r - inside;
+  const WallPoint<T> at = wall_point(shape, r, wire_radius);
+  const Triple<T> n = (1.0 / at.length) * at.outward, edge = r - inside;
   const T length = sqrt(dot(edge, edge));
   const Triple<T> t = (1.0 / length) * edge;
-  const T c = dot(t, n), overlap = -wall_gap(cavity, r, wire_radius);
+  const T c = dot(t, n), overlap = -at.gap;
   const double more = 2 * wire_radius - half_edge;
   const T contact_length = half_edge + more * c * c;
   const T square = 0.5 * stiffness * overlap * overlap, by_cosine = square * 2.0 * more * c;
   const Triple<T> by_edge = (by_cosine / length) * (n - c * t);
-  const Triple<T> by_end =
-      (stiffness * contact_length * overlap) * n + by_edge + (by_cosine / distance) * (t - c * n);
+  const Triple<T> by_end = (stiffness * contact_length * overlap) * n + by_edge +
+                           normal_turning(shape, at, by_cosine, t, n);
   return {overlap, contact_length * square, (1.0 - c * c) * square, by_end, T(-1.0) * by_edge};
 }
 
 }  // namespace
 
 Energy WallEnergy::add_gradient(const RodState& state, Gradient& gradient) const {
+  return with_shape(cavity_,
+                    [&](const auto& shape) { return add_gradient(shape, state, gradient); });
+}
+
+template <class Shape>
+Energy WallEnergy::add_gradient(const Shape& shape, const RodState& state,
+                                Gradient& gradient) const {
   EnergySum energy;
   const auto add = [&]<class T>(Index i, double length) {
-    using std::sqrt;
-    const Triple<T> r = load_columns<T>(state.nodes, i);
-    const T overlap = -wall_gap(cavity_, r, params_.radius);
+    const WallPoint<T> at = wall_point(shape, load_columns<T>(state.nodes, i), params_.radius);
+    const T overlap = -at.gap;
     const auto touches = overlap > 0.0;
     const T per_length = select(touches, 0.5 * stiffness_ * overlap * overlap, T(0.0));
-    const T pull = length * stiffness_ * overlap / sqrt(dot(r, r));
+    const T pull = length * stiffness_ * overlap / at.length;
     energy.add(T(length * per_length));
-    store_columns(load_columns<T>(gradient.node, i) + select(touches, pull, T(0.0)) * r,
+    store_columns(load_columns<T>(gradient.node, i) + select(touches, pull, T(0.0)) * at.outward,
                   gradient.node, i);
     return per_length;
   };
   const auto add_end = [&](Index i) {
     if (!is_free_end(state, i)) {
-      const double per_length = add.operator()<double>(i, node_length(state, params_, i));
+      const double per_length = add.template operator()<double>(i, node_length(state, params_, i));
       gradient.inlet_length += node_length_by_inlet(state, i) * per_length;
       return;
     }
     const Index inside = node_inside(state, i);
     const auto contact =
         end_contact(load_columns<double>(state.nodes, i), load_columns<double>(state.nodes, inside),
-                    node_length(state, params_, i), stiffness_, cavity_, params_.radius);
+                    node_length(state, params_, i), stiffness_, shape, params_.radius);
     if (contact.overlap <= 0) return;
     energy.add(contact.energy);
     gradient.node.col(i) += vec3(contact.by_end);
@@ -99,7 +106,8 @@ Energy WallEnergy::add_gradient(const RodState& state, Gradient& gradient) const
 double WallEnergy::stiffness(const RodState& state, Index node) const {
   const double length = node_length(state, params_, node);
   if (!is_free_end(state, node)) return stiffness_ * length;
-  const double c = cosine_at(state.nodes.col(node), state.nodes.col(node_inside(state, node)));
+  const double c =
+      cosine_at(cavity_, state.nodes.col(node), state.nodes.col(node_inside(state, node)));
   return stiffness_ * (length + (2 * params_.radius - length) * c * c);
 }
 
@@ -111,9 +119,11 @@ void WallEnergy::add_curvature(const RodState& state, CurvatureModel& model) con
     const Vec3 r = state.nodes.col(i), from = state.nodes.col(inside);
     const double length = node_length(state, params_, i), unit = params_.radius;
     const auto gradient = [&](const std::array<Lanes, 6>& x) -> std::array<Lanes, 6> {
-      const auto contact = end_contact<Lanes>({x[0] * unit, x[1] * unit, x[2] * unit},
-                                              {x[3] * unit, x[4] * unit, x[5] * unit}, length,
-                                              stiffness_, cavity_, unit);
+      const auto contact = with_shape(cavity_, [&](const auto& shape) {
+        return end_contact<Lanes>({x[0] * unit, x[1] * unit, x[2] * unit},
+                                  {x[3] * unit, x[4] * unit, x[5] * unit}, length, stiffness_,
+                                  shape, unit);
+      });
       const auto &g = contact.by_end, &h = contact.by_inside;
       return {g.x, g.y, g.z, h.x, h.y, h.z};
     };
@@ -134,14 +144,10 @@ void WallEnergy::add_curvature(const RodState& state, CurvatureModel& model) con
     const Vec3 r = state.nodes.col(i);
     const double overlap = -wall_gap(cavity_, r, params_.radius);
     if (overlap <= -nearly_touching * params_.radius) continue;
-    const double distance = r.norm();
-    const Vec3 n = r / distance;
     const bool leans = is_free_end(state, i) && overlap > 0;
     const double k = stiffness(state, i) * (leans ? 1 - model.exactness() : 1);
     // exact Hessian: the normal part, and the wall's own curvature times the force
-    const double turning = std::max(0.0, overlap) / distance;
-    model.add_node_block(
-        i, k * (n * n.transpose() + turning * (Mat3::Identity() - n * n.transpose())));
+    model.add_node_block(i, contact_hessian(cavity_, r, std::max(0.0, overlap), k));
     if (leans && model.exactness() > 0) add_end(i);
   }
 }

@@ -2,8 +2,8 @@
 
 namespace wirepack {
 
-Nozzle polar_nozzle(const SphericalCavity& cavity, double wire_radius, TwistCondition twist) {
-  return {Vec3(0, 0, cavity.radius - wire_radius), Vec3::UnitZ(), twist};
+Nozzle polar_nozzle(const Cavity& cavity, double wire_radius, TwistCondition twist) {
+  return {Vec3(0, 0, semi_axes_of(cavity).z() - wire_radius), Vec3::UnitZ(), twist};
 }
 
 HeldUnknowns held_by(const Nozzle& nozzle, const RodState& state) {

@@ -28,4 +28,14 @@ BlockMeans block_means(const MeasuredPoints& points, Index most) {
   return result;
 }
 
+Eigen::VectorXd means_over(const BlockMeans& blocks, const Eigen::VectorXd& numbers) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(blocks.points.count()), count = sum;
+  for (Index i = 0; i < numbers.size(); ++i) {
+    const Index b = blocks.of_point[static_cast<std::size_t>(i)];
+    sum[b] += numbers[i];
+    count[b] += 1;
+  }
+  return sum.cwiseQuotient(count);
+}
+
 }  // namespace wirepack

@@ -15,4 +15,7 @@ struct BlockMeans {
 constexpr Index most_block_means = 600;
 BlockMeans block_means(const MeasuredPoints& points, Index most = most_block_means);
 
+/// Means of numbers of all points over the same runs.
+Eigen::VectorXd means_over(const BlockMeans& blocks, const Eigen::VectorXd& numbers);
+
 }  // namespace wirepack

@@ -1,16 +1,11 @@
 #pragma once
 
-#include <vector>
-
 #include "wirepack/fit/measured_points.hpp"
 #include "wirepack/fit/shape_fit.hpp"
 
 #include "curve_problem.hpp"
 
 namespace wirepack {
-
-/// Some of the points, in the order of `which`.
-MeasuredPoints chosen(const MeasuredPoints& points, const std::vector<Index>& which);
 
 /// The curve of a model that is nearest to points: starts, intervals, least squares. The points of
 /// a spline must be ordered. Where the order was only found, as it may be wrong, a helix is also

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "wirepack/core/types.hpp"
 #include "wirepack/fit/darboux_curve.hpp"
 #include "wirepack/fit/measured_points.hpp"
@@ -22,6 +24,13 @@ struct CurveSolution {
   Eigen::VectorXd distance, weighted_distance;
   Points residual;         ///< from the foot to the point, over sigma
   bool converged = false;  ///< the gradient vanishes to round-off of the residuals
+
+  double first() const { return feet.minCoeff(); }
+  double last() const { return feet.maxCoeff(); }
+  double length() const { return last() - first(); }
+  double rms_distance() const {
+    return std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size()));
+  }
 };
 
 CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, double huber = 0,

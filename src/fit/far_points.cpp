@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "extent.hpp"
+#include "index_lists.hpp"
 
 namespace wirepack {
 
@@ -13,17 +15,15 @@ constexpr double alone = 6;  // distances of the rest from their neighbours
 
 // Distance of each point from its nearest neighbour. Points are sorted by the coordinate that
 // extends most, so that few others need a look.
-std::vector<double> neighbour_distances(const Points& points) {
+Eigen::VectorXd neighbour_distances(const Points& points) {
   Index axis = 0;
-  (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).maxCoeff(&axis);
-  std::vector<Index> sorted(static_cast<std::size_t>(points.cols()));
-  std::iota(sorted.begin(), sorted.end(), Index{0});
-  std::sort(sorted.begin(), sorted.end(),
-            [&](Index a, Index b) { return points(axis, a) < points(axis, b); });
-  std::vector<double> nearest(sorted.size(), std::numeric_limits<double>::infinity());
+  box_of(points).maxCoeff(&axis);
+  const std::vector<Index> sorted = order_by(points.row(axis));
+  Eigen::VectorXd nearest =
+      Eigen::VectorXd::Constant(points.cols(), std::numeric_limits<double>::infinity());
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     const Index i = sorted[k];
-    double& least = nearest[static_cast<std::size_t>(i)];
+    double& least = nearest[i];
     const auto look = [&](Index j) {
       if (std::abs(points(axis, j) - points(axis, i)) >= least) return false;
       const double distance = (points.col(j) - points.col(i)).norm();
@@ -42,16 +42,10 @@ std::vector<double> neighbour_distances(const Points& points) {
 
 std::vector<Index> far_points(const Points& points) {
   const Index n = points.cols(), most = std::max<Index>(1, n / 20);
-  const std::vector<double> nearest = neighbour_distances(points);
-  std::vector<Index> order(nearest.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-    return nearest[static_cast<std::size_t>(a)] > nearest[static_cast<std::size_t>(b)];
-  });
+  const Eigen::VectorXd nearest = neighbour_distances(points);
+  const std::vector<Index> order = order_by(-nearest);
   for (Index count = std::min(most, n - 1); count > 0; --count) {
-    const auto at = [&](Index k) {
-      return nearest[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])];
-    };
+    const auto at = [&](Index k) { return nearest[order[static_cast<std::size_t>(k)]]; };
     if (!(at(count - 1) > alone * at(count))) continue;
     std::vector<Index> far(order.begin(), order.begin() + count);
     std::sort(far.begin(), far.end());

@@ -2,6 +2,7 @@
 
 #include "wirepack/core/types.hpp"
 #include "wirepack/fit/darboux_curve.hpp"
+#include "wirepack/fit/measured_points.hpp"
 
 namespace wirepack {
 
@@ -12,5 +13,8 @@ struct FitStart {
   Eigen::VectorXd shape_unknowns;  ///< of the basis
   Eigen::VectorXd feet;            ///< N
 };
+
+/// Arcs of points that are known are those of their feet.
+void keep_arcs(const MeasuredPoints& points, FitStart& start);
 
 }  // namespace wirepack

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
-#include "curve_choice.hpp"
+#include "chosen_points.hpp"
+#include "index_lists.hpp"
 
 namespace wirepack {
 
@@ -53,8 +53,7 @@ std::optional<LineOfParts> line_of_parts(
   if (cuts.size() < 5) return std::nullopt;
   std::vector<Part> parts;
   for (std::size_t k = 0; k + 2 < cuts.size(); ++k) {
-    std::vector<Index> which(static_cast<std::size_t>(cuts[k + 2] - cuts[k] + 1));
-    std::iota(which.begin(), which.end(), cuts[k]);
+    const std::vector<Index> which = consecutive(cuts[k], cuts[k + 2] - cuts[k] + 1);
     const CurveSolution solution = curve_through(chosen(points, which));
     if (!solution.converged) return std::nullopt;
     Part part{cuts[k], solution.curve, {solution.feet.begin(), solution.feet.end()}};

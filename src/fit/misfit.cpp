@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
 #include <vector>
 
-#include "wirepack/core/error.hpp"
+#include "index_lists.hpp"
 
 namespace wirepack {
 
@@ -38,10 +37,7 @@ bool scatters_along_binormal(const CurveSolution& solution) {
 }  // namespace
 
 double neighbour_correlation(const CurveSolution& solution) {
-  std::vector<Index> order(static_cast<std::size_t>(solution.feet.size()));
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return solution.feet[a] < solution.feet[b]; });
+  const std::vector<Index> order = order_by(solution.feet);
   double product = 0;
   for (std::size_t k = 1; k < order.size(); ++k) {
     product += solution.residual.col(order[k - 1]).dot(solution.residual.col(order[k]));
@@ -53,8 +49,7 @@ double neighbour_correlation(const CurveSolution& solution) {
 std::string misfit_of(ShapeModel model, const MeasuredPoints& points, const CurveSolution& solution,
                       const Uncertainty& uncertainty) {
   const auto n = static_cast<double>(points.count());
-  const double rms = std::sqrt(solution.distance.squaredNorm() / n);
-  if (!(rms > std::max(points.resolution, finest_residual(model)))) return {};
+  if (!(solution.rms_distance() > std::max(points.resolution, finest_residual(model)))) return {};
   if (points.sigma.size() > 0 && !(solution.huber > 0)) {
     const auto freedom = static_cast<double>(std::max<Index>(uncertainty.degrees_of_freedom, 1));
     const double share = solution.weighted_distance.squaredNorm() / freedom;
@@ -97,8 +92,7 @@ bool tells_turns(const CurveSolution& solution) {
 }
 
 bool may_join_turns(const CurveSolution& solution, const Uncertainty& uncertainty) {
-  const double rms = solution.distance.norm() / std::sqrt(double(solution.distance.size()));
-  return !uncertainty.planar && rms > 5e-4 && scatters_along_binormal(solution);
+  return !uncertainty.planar && solution.rms_distance() > 5e-4 && scatters_along_binormal(solution);
 }
 
 }  // namespace wirepack

@@ -4,9 +4,10 @@
 #include <array>
 #include <deque>
 #include <limits>
-#include <numeric>
 
 #include "block_means.hpp"
+#include "extent.hpp"
+#include "index_lists.hpp"
 
 namespace wirepack {
 
@@ -38,8 +39,7 @@ Points group_means(const Points& points, double radius) {
 
 // Grows at both of its ends, always by the point that is nearest to either.
 std::vector<Index> nearest_chain(const Points& points) {
-  std::vector<Index> left(static_cast<std::size_t>(points.cols() - 1));
-  std::iota(left.begin(), left.end(), Index{1});
+  std::vector<Index> left = consecutive(1, points.cols() - 1);
   std::array<std::vector<Index>, 2> sides{{{0}, {}}};
   struct Next {
     double distance;
@@ -211,8 +211,7 @@ std::vector<Index> joined(const Points& points, std::vector<Piece> left) {
 }  // namespace
 
 std::vector<Index> order_of_list(const Points& points) {
-  std::vector<Index> list(static_cast<std::size_t>(points.cols()));
-  std::iota(list.begin(), list.end(), Index{0});
+  const std::vector<Index> list = consecutive(0, points.cols());
   const Course course = course_of(points);
   if (course.jumps()) {
     // parts that are joined without a jump, and without a turn that the list does not have
@@ -252,21 +251,16 @@ std::vector<Index> spikes_of_list(const Points& points) {
 
 std::vector<Index> order_along_wire(const Points& points) {
   const double spacing = median_neighbour_distance(points);
-  const double extent = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  const double extent = extent_of(points);
   double radius = std::max(0.5 * spacing, 1e-3 * extent);
   for (; radius < extent / 4; radius *= 1.5) {
     const Points means = group_means(points, radius);
     if (means.cols() < 4) break;
     const Points line = means(Eigen::all, nearest_chain(means));
     if (!is_a_wire(line)) continue;
-    std::vector<double> place;
-    for (Index i = 0; i < points.cols(); ++i) place.push_back(place_on(line, points.col(i)));
-    std::vector<Index> order(place.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return place[static_cast<std::size_t>(a)] < place[static_cast<std::size_t>(b)];
-    });
-    return order;
+    Eigen::VectorXd place(points.cols());
+    for (Index i = 0; i < points.cols(); ++i) place[i] = place_on(line, points.col(i));
+    return order_by(place);
   }
   return {};
 }

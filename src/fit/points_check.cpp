@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -12,11 +11,11 @@
 
 #include "wirepack/core/error.hpp"
 
+#include "index_lists.hpp"
+
 namespace wirepack {
 
 namespace {
-
-constexpr Index most_intervals = 96;
 
 std::string name_of(const MeasuredPoints& points, Index i) {
   return points.line.empty() ? fmt::format("point {}", i + 1)
@@ -41,10 +40,7 @@ Squares squares_of(const MeasuredPoints& points, const std::vector<Index>& order
 // A chord is never longer than its arc, and grows no faster. The mean square of chords, of which
 // scatter is a part that does not grow, is compared between two distances in the list.
 void check_arcs(const MeasuredPoints& points) {
-  std::vector<Index> order(static_cast<std::size_t>(points.count()));
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return points.arc[a] < points.arc[b]; });
+  const std::vector<Index> order = order_by(points.arc);
   for (std::size_t lag = 1; 2 * lag < order.size(); lag *= 2) {
     const Squares near = squares_of(points, order, lag), far = squares_of(points, order, 2 * lag);
     const double few = 2 / std::sqrt(static_cast<double>(order.size() - 2 * lag));

@@ -4,24 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "wirepack/core/rotation.hpp"
 
+#include "interval_ladder.hpp"
+
 namespace wirepack {
-
-double schwarz_criterion(double sum_of_squares, Index residuals, Index unknowns) {
-  const auto n = static_cast<double>(residuals);
-  return n * std::log(sum_of_squares / n + 1e-22) + static_cast<double>(unknowns) * std::log(n);
-}
-
-std::vector<Index> interval_ladder(Index most) {
-  std::vector<Index> ladder{1};
-  for (Index power = 2; power <= most; power *= 2) {
-    ladder.push_back(power);
-    if (power * 3 / 2 <= most) ladder.push_back(power * 3 / 2);
-  }
-  return ladder;
-}
 
 Eigen::VectorXd cumulated_chords(const Points& points) {
   Eigen::VectorXd arc = Eigen::VectorXd::Zero(points.cols());
@@ -76,7 +65,7 @@ struct PositionSpline {
 PositionSpline position_spline(const Points& points, const Eigen::VectorXd& u) {
   PositionSpline best;
   double least = std::numeric_limits<double>::infinity();
-  for (const Index intervals : interval_ladder(std::min<Index>(points.cols() / 3, 96))) {
+  for (const Index intervals : interval_ladder(points.cols() / 3)) {
     const Eigen::MatrixXd coefficients = spline_through(points.transpose(), u, intervals);
     const double sum = (spline_values(coefficients, u) - points.transpose()).squaredNorm();
     const double criterion = schwarz_criterion(sum, 3 * points.cols(), 3 * (intervals + 3));

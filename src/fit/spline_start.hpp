@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "wirepack/core/types.hpp"
 #include "wirepack/fit/measured_points.hpp"
 
@@ -40,12 +38,5 @@ class SplineStart {
 
 /// Arcs of the corners of a polyline.
 Eigen::VectorXd cumulated_chords(const Points& points);
-
-/// Schwarz's criterion for n residuals with a sum of squares and so many unknowns: n ln(sum / n) +
-/// unknowns ln n. Sums that round-off makes count as its size; lengths are of order 1.
-double schwarz_criterion(double sum_of_squares, Index residuals, Index unknowns);
-
-/// 1, 2, 3, 4, 6, 8, 12, ... up to `most`.
-std::vector<Index> interval_ladder(Index most);
 
 }  // namespace wirepack

@@ -138,10 +138,10 @@ class Interpreter {
       const ConfigKey* key = find("packing", name);
       if (const ConfigValue* value = value_of(key->path())) key->set(chosen, *value);
     }
-    return default_scenario(
-        chosen.setup, SphericalCavity{number_or("cavity.radius", plain.cavity.radius)},
-        number_or("wire.radius", plain.wire.radius),
-        number_or("wire.youngs_modulus", plain.wire.youngs_modulus), chosen.method);
+    return default_scenario(chosen.setup, Cavity{number_or("cavity.radius", plain.cavity.radius)},
+                            number_or("wire.radius", plain.wire.radius),
+                            number_or("wire.youngs_modulus", plain.wire.youngs_modulus),
+                            chosen.method);
   }
 
   Scenario scenario() const {

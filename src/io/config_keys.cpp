@@ -237,7 +237,7 @@ std::vector<ConfigKey> config_keys() {
       stand_in("wire.coil", "youngs_modulus"),
       stand_in("wire.coil", "poisson_ratio"),
       only("cavity", "shape", "sphere"),
-      member("cavity", "radius", in(&Scenario::cavity, &SphericalCavity::radius)),
+      member("cavity", "radius", in(&Scenario::cavity, &Cavity::radius)),
       member("cavity", "wall_stiffness", in(&Scenario::wall_stiffness)),
       choice("nozzle", "twist", twist_names, in(&Scenario::nozzle_twist)),
       member("contact", "enabled", in(&Scenario::contact_enabled)),

@@ -10,6 +10,9 @@ inline constexpr const char* curve_style =
     "set xlabel 'packing density {/Symbol f}'\nset key below Left reverse maxcols 1\n"
     "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n";
 
+inline constexpr const char* curve_size = "14cm,12cm";
+inline constexpr const char* curve_pixels = "1200,1030";
+
 // A title that gnuplot shows to the letter, with the word `title`.
 std::string gnuplot_title(const std::string& text);
 

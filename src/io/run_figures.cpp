@@ -1,15 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <map>
-#include <set>
 
 #include "wirepack/core/plain_text.hpp"
 #include "wirepack/io/figure.hpp"
 #include "wirepack/observe/log_normal.hpp"
-#include "wirepack/observe/power_law.hpp"
 #include "wirepack/observe/spool_model.hpp"
-#include "wirepack/packing/mean_force.hpp"
 
 #include "gnuplot.hpp"
 #include "published.hpp"
@@ -18,9 +14,6 @@
 namespace wirepack {
 
 namespace {
-
-constexpr const char* curve_size = "14cm,12cm";
-constexpr const char* curve_pixels = "1200,1030";
 
 // Columns of the curves of a group, each followed by its standard error.
 enum Column { force_column = 2, bend_column = 4, twist_column = 6 };
@@ -101,66 +94,30 @@ double largest(const std::vector<RunGroup>& groups, Sample CurvePoint::*quantity
   return top;
 }
 
-std::string name_in_key(Setup setup) {
-  return setup == Setup::high_torsion ? "high torsion" : "low torsion";
-}
-
-// Densities at a threshold by a / R.
-using Readings = std::map<double, std::vector<double>>;
-
-Readings readings_of(const std::vector<FigureRun>& runs, Setup setup, double threshold) {
-  Readings readings;
-  for (const FigureRun& run : runs) {
-    if (run.scenario.setup != setup) continue;
-    const double force = threshold * units_of(run.scenario).scaled_force();
-    const auto density = density_at_force(mean_forces(run.scenario, run.history), force);
-    if (!density) continue;
-    readings[run.scenario.wire.radius / run.scenario.cavity.radius].push_back(*density);
-  }
-  return readings;
-}
-
-// The fitted law as one more curve; nothing where there are too few readings to fit one.
-std::string fitted_law(const Readings& readings, int colour, const std::string& setup) {
-  std::vector<double> x, y;
-  for (const auto& [ratio, densities] : readings) {
-    for (const double density : densities) {
-      x.push_back(ratio);
-      y.push_back(density);
-    }
-  }
-  if (x.size() < 3 || readings.size() < 2) return "";
-  const PowerLaw law = fit_power_law(x, y);
-  return fmt::format(", {} * x**{} with lines lw 1.5 lc {} {}", law.factor, law.exponent, colour,
-                     gnuplot_title(fmt::format("{}: exponent {:.2f} +- {:.2f}, {} runs", setup,
-                                               law.exponent, law.exponent_error, x.size())));
-}
-
 constexpr double bin = 0.25, lowest_log = -9, highest_log = 4;
 
-std::vector<double> log_energies_over_mean(const RunGroup& group) {
-  std::vector<double> logs;
+std::vector<double> energies_over_mean(const RunGroup& group) {
+  std::vector<double> ratios;
   for (const FigureRun* run : group.runs) {
     const Eigen::VectorXd& energy = run->frame.bend_energy;
-    const double mean = energy.sum() / static_cast<double>((energy.array() > 0).count());
-    for (const double e : energy) {
-      if (e > 0) logs.push_back(std::log(e / mean));
-    }
+    const std::vector<double> of_run =
+        over_mean({energy.data(), static_cast<std::size_t>(energy.size())});
+    ratios.insert(ratios.end(), of_run.begin(), of_run.end());
   }
-  return logs;
+  return ratios;
 }
 
 // Share of the joints per unit of ln x, x = E / <E>, in bins of it.
-std::string histogram(const std::vector<double>& logs) {
+std::string histogram(const std::vector<double>& ratios) {
   std::vector<int> counts(static_cast<std::size_t>((highest_log - lowest_log) / bin));
-  for (const double l : logs) {
-    const double at = std::floor((l - lowest_log) / bin);
+  for (const double x : ratios) {
+    const double at = std::floor((std::log(x) - lowest_log) / bin);
     if (at >= 0 && at < static_cast<double>(counts.size())) ++counts[static_cast<std::size_t>(at)];
   }
   std::string text;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     text += fmt::format("{} {}\n", std::exp(lowest_log + (static_cast<double>(k) + 0.5) * bin),
-                        counts[k] / (static_cast<double>(logs.size()) * bin));
+                        counts[k] / (static_cast<double>(ratios.size()) * bin));
   }
   return text + "\n\n";
 }
@@ -226,62 +183,17 @@ void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureR
                     curve_size, curve_pixels);
 }
 
-bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
-                  double threshold) {
-  std::string data, points, laws;
-  int block = 0;
-  for (const Setup setup : {Setup::low_torsion, Setup::high_torsion}) {
-    const Readings readings = readings_of(runs, setup, threshold);
-    if (readings.empty()) continue;
-    data += fmt::format("# {}\n# a/R phi_max standard_error runs\n", name_in_key(setup));
-    for (const auto& [ratio, densities] : readings) {
-      const Sample s = sample(densities);
-      data += fmt::format("{} {} {} {}\n", ratio, s.mean, s.count > 1 ? s.standard_error() : 0,
-                          s.count);
-    }
-    data += "\n\n";
-    const int colour = setup == Setup::low_torsion ? 1 : 2;
-    points += fmt::format(
-        "'phi_max.dat' index {} using 1:2:3 with yerrorbars pt 7 ps 1 lw 1.5 lc {} title '{}', ",
-        block++, colour, name_in_key(setup));
-    laws += fitted_law(readings, colour, name_in_key(setup));
-  }
-  if (data.empty()) return false;
-  const std::string commands =
-      std::string(published_numbers) +
-      fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
-                  threshold) +
-      "set logscale xy\nset xrange [0.015:0.4]\nset yrange [0.1:1]\n"
-      "set xtics (0.02, 0.05, 0.1, 0.2)\nset ytics (0.1, 0.2, 0.3, 0.5, 0.7, 1)\n"
-      "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
-      "set key below Left reverse maxcols 1\n"
-      "set object 1 rectangle from graph 0, first coils_lowest to graph 1, first coils_highest "
-      "behind fs solid 0.5 noborder fc rgb '#e8e8e8'\n"
-      "set label 1 'endovascular coils, clinical' at graph 0.98, first 0.215 right tc rgb "
-      "'#777777'\n"
-      "plot " +
-      points +
-      "paper_phi_max(x) with lines dashtype 2 lc rgb 'black' title sprintf('Stoop et al. 2011, "
-      "high torsion: exponent %.2f', paper_exponent), "
-      "$phages using 1:2 with points pt 4 ps 1 lc rgb '#555555' title 'DNA in phages'" +
-      laws + "\n";
-  draw_with_gnuplot(folder, "phi_max", data, commands, curve_size, curve_pixels);
-  return true;
-}
-
 void draw_bend_distribution(const std::filesystem::path& folder,
                             const std::vector<FigureRun>& runs) {
   std::string data, plots;
   std::size_t block = 0;
   for (const RunGroup& group : run_groups(runs)) {
-    const std::vector<double> logs = log_energies_over_mean(group);
-    if (logs.size() < 2) continue;
-    std::vector<double> ratios;
-    for (const double l : logs) ratios.push_back(std::exp(l));
+    const std::vector<double> ratios = energies_over_mean(group);
+    if (ratios.size() < 2) continue;
     const LogNormalFit fit = fit_log_normal(ratios);
     data += fmt::format("# {} at a density of {:.3g}\n# x=E/<E> share_per_unit_of_ln_x\n",
                         plain_text(group.label), group.runs.front()->frame.packing_density);
-    data += histogram(logs);
+    data += histogram(ratios);
     plots += fmt::format(
         "'bend_distribution.dat' index {} with histeps lw 1.5 lc {} {}, "
         "exp(-((log(x) - {:.6g}) / {:.6g})**2 / 2) / (sqrt(2 * pi) * {:.6g}) with lines lw 1.5 lc "

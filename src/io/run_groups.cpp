@@ -6,19 +6,13 @@
 #include <map>
 #include <optional>
 
-#include "wirepack/io/config_file.hpp"
+#include "wirepack/io/scenario_groups.hpp"
 
 namespace wirepack {
 
 namespace {
 
 constexpr int densities = 200;
-
-std::string scenario_but_for_the_seed(const FigureRun& run) {
-  Scenario scenario = run.scenario;
-  scenario.seed = 0;
-  return resolved_config(scenario);
-}
 
 std::array<double, 3> scaled(const FigureRun& run, const HistoryRow& row) {
   const double unit = units_of(run.scenario).scaled_energy();
@@ -92,19 +86,12 @@ void name_groups(std::vector<RunGroup>& groups) {
 }  // namespace
 
 std::vector<RunGroup> run_groups(const std::vector<FigureRun>& runs) {
+  std::vector<Scenario> scenarios;
+  for (const FigureRun& run : runs) scenarios.push_back(run.scenario);
   std::vector<RunGroup> groups;
-  std::vector<std::string> scenarios;
-  for (const FigureRun& run : runs) {
-    const std::string scenario = scenario_but_for_the_seed(run);
-    const auto known = std::find(scenarios.begin(), scenarios.end(), scenario);
-    if (known == scenarios.end()) {
-      scenarios.push_back(scenario);
-      groups.push_back({run.label, {&run}, {}});
-    } else {
-      groups[static_cast<std::size_t>(known - scenarios.begin())].runs.push_back(&run);
-    }
-  }
-  for (RunGroup& group : groups) {
+  for (const std::vector<std::size_t>& members : seed_groups(scenarios)) {
+    RunGroup& group = groups.emplace_back(RunGroup{runs[members.front()].label, {}, {}});
+    for (const std::size_t k : members) group.runs.push_back(&runs[k]);
     group.points = points_of(group.runs);
   }
   name_groups(groups);

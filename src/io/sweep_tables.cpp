@@ -12,6 +12,7 @@
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/io/sweep_folder.hpp"
 #include "wirepack/io/sweep_status.hpp"
+#include "wirepack/observe/sample.hpp"
 
 #include "atomic_file.hpp"
 
@@ -27,23 +28,23 @@ struct Averaged {
   double (*of)(const HistoryRow&, const Scenario&);
 };
 
-double energy_unit(const Scenario& s) { return stiffness(s.wire).bend / s.cavity.radius; }
-
 constexpr std::array<Averaged, 4> averaged{{
     {"packing_density", [](const HistoryRow& r, const Scenario&) { return r.packing_density; }},
     {"scaled_force", [](const HistoryRow& r, const Scenario&) { return r.scaled_force; }},
-    {"bend_energy",
-     [](const HistoryRow& r, const Scenario& s) { return r.energy_bend / energy_unit(s); }},
+    {"bend_energy", [](const HistoryRow& r,
+                       const Scenario& s) { return r.energy_bend / units_of(s).scaled_energy(); }},
     {"twist_energy",
-     [](const HistoryRow& r, const Scenario& s) { return r.energy_twist / energy_unit(s); }},
+     [](const HistoryRow& r, const Scenario& s) {
+       return r.energy_twist / units_of(s).scaled_energy();
+     }},
 }};
-using Sample = std::array<std::vector<double>, averaged.size()>;
+using Values = std::array<std::vector<double>, averaged.size()>;
 
 /// Finished runs that differ in their seed alone.
 struct Group {
   std::vector<std::string> values;  // of all keys but the seed
-  Sample ends;
-  std::map<std::int64_t, Sample> curves;  // by the number of the density's interval
+  Values ends;
+  std::map<std::int64_t, Values> curves;  // by the number of the density's interval
   double spacing = 0;                     // of densities
 };
 
@@ -60,22 +61,12 @@ std::string cells(const std::vector<std::string>& texts) {
   return line;
 }
 
-double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v;
-  return sum / static_cast<double>(values.size());
-}
-
 // Mean, deviation of one run (empty for a single one), smallest, largest.
 std::string statistics(const std::vector<double>& values) {
-  const double middle = mean(values);
-  double squares = 0;
-  for (const double v : values) squares += (v - middle) * (v - middle);
-  const std::size_t n = values.size();
-  const std::string deviation =
-      n > 1 ? fmt::format("{:.8g}", std::sqrt(squares / static_cast<double>(n - 1))) : "";
+  const Sample s = sample(values);
+  const std::string deviation = s.count > 1 ? fmt::format("{:.8g}", s.deviation) : "";
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return fmt::format("{:.8g},{},{:.8g},{:.8g}", middle, deviation, *least, *most);
+  return fmt::format("{:.8g},{},{:.8g},{:.8g}", s.mean, deviation, *least, *most);
 }
 
 std::string statistics_header(std::string_view name) {
@@ -164,17 +155,17 @@ class Tables {
                     const std::filesystem::path& result) {
     Group& group = group_of(task);
     if (group.spacing == 0) group.spacing = status.scenario.output.frame_every_density;
-    std::map<std::int64_t, Sample> of_run;
+    std::map<std::int64_t, Values> of_run;
     for (const HistoryRow& row : Hdf5Reader(result).history()) {
       const double interval = std::floor(row.packing_density / group.spacing);
-      Sample& sample = of_run[static_cast<std::int64_t>(interval)];
+      Values& values = of_run[static_cast<std::int64_t>(interval)];
       for (std::size_t q = 0; q < averaged.size(); ++q) {
-        sample[q].push_back(averaged[q].of(row, status.scenario));
+        values[q].push_back(averaged[q].of(row, status.scenario));
       }
     }
-    for (const auto& [interval, sample] : of_run) {
+    for (const auto& [interval, of_interval] : of_run) {
       for (std::size_t q = 0; q < averaged.size(); ++q) {
-        group.curves[interval][q].push_back(mean(sample[q]));
+        group.curves[interval][q].push_back(sample(of_interval[q]).mean);
       }
     }
     for (std::size_t q = 0; q < averaged.size(); ++q) {

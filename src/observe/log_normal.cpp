@@ -53,12 +53,15 @@ LogNormalFit fit_log_normal(std::span<const double> values) {
   return fit;
 }
 
-LogNormalFit fit_log_normal_over_mean(std::span<const double> values) {
+std::vector<double> over_mean(std::span<const double> values) {
   std::vector<double> scaled = positive(values);
-  if (scaled.empty()) return {};
   const double mean = mean_of(scaled);
   for (double& x : scaled) x /= mean;
-  return fit_log_normal(scaled);
+  return scaled;
+}
+
+LogNormalFit fit_log_normal_over_mean(std::span<const double> values) {
+  return fit_log_normal(over_mean(values));
 }
 
 }  // namespace wirepack

@@ -6,6 +6,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/random.hpp"
+#include "wirepack/observe/sample.hpp"
 
 namespace wirepack {
 
@@ -31,13 +32,6 @@ Line least_squares(const std::vector<double>& x, const std::vector<double>& y) {
 
 bool all_equal(const std::vector<double>& x) {
   return std::all_of(x.begin(), x.end(), [&](double value) { return value == x.front(); });
-}
-
-double deviation(const std::vector<double>& values) {
-  double mean = 0, square = 0;
-  for (const double v : values) mean += v / static_cast<double>(values.size());
-  for (const double v : values) square += (v - mean) * (v - mean);
-  return std::sqrt(square / static_cast<double>(values.size() - 1));
 }
 
 }  // namespace
@@ -69,7 +63,7 @@ PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y, std
     factors.push_back(std::exp(line.start));
   }
   const Line line = least_squares(log_x, log_y);
-  return {line.slope, deviation(exponents), std::exp(line.start), deviation(factors)};
+  return {line.slope, sample(exponents).deviation, std::exp(line.start), sample(factors).deviation};
 }
 
 }  // namespace wirepack

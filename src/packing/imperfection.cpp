@@ -35,6 +35,9 @@ DrawnSetup drawn_setup(const Scenario& scenario) {
   const double reach = nozzle.position.norm();
   nozzle.position =
       turned_by(amplitude.nozzle_offset * scenario.wire.radius / reach * offset, nozzle.position);
+  if (scenario.cavity.semi_axes) {
+    nozzle.position = touching_point(scenario.cavity, nozzle.position, scenario.wire.radius);
+  }
   nozzle.direction = turned_by(amplitude.nozzle_tilt * tilt, nozzle.direction);
   return setup;
 }

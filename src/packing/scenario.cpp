@@ -14,7 +14,7 @@
 
 namespace wirepack {
 
-Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius,
+Scenario default_scenario(Setup setup, const Cavity& cavity, double wire_radius,
                           double youngs_modulus, Method method) {
   Scenario scenario;
   scenario.setup = setup;

@@ -18,6 +18,9 @@ void for_each_number_with_unit(AScenario& scenario, F&& f) {
   f("wire.edge_length", scenario.wire.edge_length, unit.length);
   for (auto& k : scenario.wire.rest_darboux) f("wire.precurvature", k, 1 / unit.length);
   f("cavity.radius", scenario.cavity.radius, unit.length);
+  if (scenario.cavity.semi_axes) {
+    for (auto& e : *scenario.cavity.semi_axes) f("cavity.semi_axes", e, unit.length);
+  }
   f("cavity.wall_stiffness", scenario.wall_stiffness, unit.modulus);
   f("contact.stiffness", scenario.contact.stiffness, unit.modulus);
   f("contact.excluded_arc_length", scenario.contact.excluded_arc_length, unit.length);

@@ -57,7 +57,7 @@ std::vector<KnownProblem> gradient_problems() {
   std::vector<KnownProblem> found;
   StretchEnergy stretch(params);
   JointEnergy joints(params);
-  WallEnergy wall(params, SphericalCavity{4.1}, 5);
+  WallEnergy wall(params, Cavity{4.1}, 5);
   SelfContactEnergy contact(params, ContactParams{});
   Loads loads;
   loads.forces.push_back({3, Vec3(0.3, -0.2, 0.5)});

@@ -69,7 +69,7 @@ namespace {
 constexpr double wall_stiffness = 50;
 
 // Energy at rest of a wire in a sphere, nearly inextensible.
-double energy_in_ball(RodState& state, const RodParams& params, const SphericalCavity& cavity) {
+double energy_in_ball(RodState& state, const RodParams& params, const Cavity& cavity) {
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   WallEnergy wall(params, cavity, wall_stiffness);
@@ -89,7 +89,7 @@ RodParams hoop_wire(double edge_length) {
 
 // A coil along the equator, free at both ends: Eshelby's force YI / (2 rho^2) at the ends presses
 // it to the wall, which gives way by YI / (2 rho^3) over its stiffness.
-double coil_energy(Index edges, const RodParams& params, const SphericalCavity& cavity) {
+double coil_energy(Index edges, const RodParams& params, const Cavity& cavity) {
   const double free = cavity.radius - params.radius;
   const double rho = free + stiffness(params).bend / (2 * free * free * free) / wall_stiffness;
   Points nodes(3, edges + 1);
@@ -104,7 +104,7 @@ double coil_energy(Index edges, const RodParams& params, const SphericalCavity& 
 }  // namespace
 
 std::vector<KnownProblem> hoop_problems() {
-  const SphericalCavity cavity{10};
+  const Cavity cavity{10};
   const Index edges = 120;
   const double radius = 7, rho = 9;
   const RodParams loose = hoop_wire(2 * pi * radius / static_cast<double>(edges));
@@ -122,7 +122,7 @@ std::vector<KnownProblem> hoop_problems() {
 }
 
 std::vector<KnownProblem> spool_problems() {
-  const SpoolModel spool{SphericalCavity{40}, 1, 5 * pi / 4, 2.81};
+  const SpoolModel spool{Cavity{40}, 1, 5 * pi / 4, 2.81};
   std::vector<KnownProblem> found;
   // phi, E R / YI, F R^2 / YI of the closed form, evaluated independently
   constexpr std::array<std::array<double, 3>, 2> exact{

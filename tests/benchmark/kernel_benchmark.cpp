@@ -20,7 +20,7 @@ using namespace wirepack;
 
 // Low torsion in a sphere of 10 wire radii, whole edges at a time, which is quickest.
 Scenario packed_scenario() {
-  Scenario scenario = default_scenario(Setup::low_torsion, SphericalCavity{10});
+  Scenario scenario = default_scenario(Setup::low_torsion, Cavity{10});
   scenario.insertion.increment = scenario.wire.edge_length;
   scenario.stop.scaled_force.reset();
   scenario.stop.density = 0.31;

@@ -17,7 +17,7 @@ struct Run {
 };
 
 void packing(benchmark::State& bench, const Run& run) {
-  Scenario scenario = default_scenario(run.setup, SphericalCavity{run.radius});
+  Scenario scenario = default_scenario(run.setup, Cavity{run.radius});
   scenario.wire.edge_length = run.edge_length;
   scenario.insertion.increment = run.increment;
   scenario.stop.scaled_force.reset();

@@ -15,7 +15,7 @@ using namespace wirepack;
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 Scenario scenario_to(double radius, double density) {
-  Scenario scenario = default_scenario(Setup::low_torsion, SphericalCavity{radius});
+  Scenario scenario = default_scenario(Setup::low_torsion, Cavity{radius});
   scenario.insertion.increment = scenario.wire.edge_length;
   scenario.stop.scaled_force.reset();
   scenario.stop.density = density;

@@ -73,7 +73,7 @@ class Figures(ProgramTest):
         self.assertEqual(code, 0, err)
         self.assertIn("a_", (self.folder / "fig'ures" / "force.svg").read_text())
 
-    def make_packing(self, name, seed):
+    def make_packing(self, name, seed, *more):
         """A run by half edges; returns its columns."""
         if not (self.folder / "packing.toml").exists():
             self.write(
@@ -82,7 +82,7 @@ class Figures(ProgramTest):
                 "[wire]\nedge_length = 1\n[insertion]\nincrement = 0.5\n",
             )
         code, _, err = self.run_program(
-            "run", "packing.toml", "-o", name, "--set", f"packing.seed={seed}"
+            "run", "packing.toml", "-o", name, "--set", f"packing.seed={seed}", *more
         )
         self.assertEqual(code, 0, err)
         with h5py.File(self.folder / name) as result:
@@ -115,15 +115,22 @@ class Figures(ProgramTest):
                 mean[inside, column + 1], error[inside], rtol=1e-3, atol=1e-3
             )
 
-    def test_phi_max_is_the_first_density_after_the_first_coil_whose_mean_force_is_high(self):
-        run = self.make_packing("1.h5", 1)
+    @staticmethod
+    def mean_force(run):
+        """Of each row over an edge length of 1; zero until an edge after the first coil."""
         length, force = run["inserted_length"], run["scaled_force"]
         work = numpy.concatenate(
             ([0], numpy.cumsum(numpy.diff(length) * (force[1:] + force[:-1]) / 2))
         )
-        mean = work - numpy.interp(length - 1, length, work)  # over an edge
+        mean = work - numpy.interp(length - 1, length, work)
         after = length[length > 2 * (1 + numpy.pi) * 4]
         mean[length < after[0] + 1 - 1e-9] = 0
+        return mean
+
+    def test_phi_max_is_the_first_density_after_the_first_coil_whose_mean_force_is_high(self):
+        run = self.make_packing("1.h5", 1)
+        length, force = run["inserted_length"], run["scaled_force"]
+        mean = self.mean_force(run)
         highest = mean.argmax()
         code, _, err = self.run_program(
             "figures", "1.h5", "-o", "figures", "--threshold", str(0.9999 * mean[highest])
@@ -139,6 +146,30 @@ class Figures(ProgramTest):
         self.assertEqual(code, 0, err)
         self.assertIn("no phi_max: no run reaches", out)
         self.assertFalse((self.folder / "none" / "phi_max.png").exists())
+
+    def test_phi_max_of_seeds_is_one_point_and_other_friction_another_series(self):
+        curved = ("--set", "imperfection.natural_curvature=0.3")
+        friction = ("--set", "friction.model='coulomb'", "--set", "stop.density=0.5")
+        runs = [self.make_packing(f"{seed}.h5", seed, *curved) for seed in (1, 2)]
+        runs.append(self.make_packing("rough.h5", 1, *curved, *friction))
+        means = [self.mean_force(run) for run in runs]
+        threshold = 0.9 * min(mean.max() for mean in means)
+        code, _, err = self.run_program(
+            "figures", "1.h5", "2.h5", "rough.h5", "-o", "figures", "--threshold", str(threshold)
+        )
+        self.assertEqual(code, 0, err)
+        first = [
+            run["packing_density"][(mean >= threshold).argmax()] for run, mean in zip(runs, means)
+        ]
+        smooth, rough = self.blocks("phi_max")
+        self.assertNotEqual(first[0], first[1])
+        numpy.testing.assert_allclose(
+            smooth, [[0.25, (first[0] + first[1]) / 2, abs(first[0] - first[1]) / 2, 2]], rtol=1e-5
+        )
+        numpy.testing.assert_allclose(rough, [[0.25, first[2], 0, 1]], rtol=1e-5)
+        key = (self.folder / "figures" / "phi_max.gp").read_text()
+        self.assertIn("low torsion, as 1", key)
+        self.assertIn("low torsion, as rough", key)
 
     def test_bend_energies_over_their_mean_are_spread_with_an_area_of_one(self):
         self.make_packing("1.h5", 1)

@@ -20,10 +20,10 @@ using testing::ring_nodes;
 // A wall and a wire that give way by 1/20000 of the radius of a coil under its own stiffness, for
 // any size of the ball: near the closed forms, and not too stiff for the minimizer.
 constexpr double firmness = 1e4;
-double wall_stiffness(const RodParams& params, const SphericalCavity& cavity) {
+double wall_stiffness(const RodParams& params, const Cavity& cavity) {
   return firmness * stiffness(params).bend / std::pow(cavity.radius - params.radius, 4);
 }
-WallEnergy firm_wall(const RodParams& params, const SphericalCavity& cavity) {
+WallEnergy firm_wall(const RodParams& params, const Cavity& cavity) {
   return {params, cavity, wall_stiffness(params, cavity)};
 }
 // The paper's wire but for its stretching stiffness, YA = firmness YI / rho^2.
@@ -40,7 +40,7 @@ EquilibriumOptions tight_options(const RodParams& params, double length) {
   return {tolerance, tolerance * length, 1e-6 * bend, {}};
 }
 
-EquilibriumReport rest(RodState& state, const RodParams& params, const SphericalCavity& cavity) {
+EquilibriumReport rest(RodState& state, const RodParams& params, const Cavity& cavity) {
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   WallEnergy wall = firm_wall(params, cavity);
@@ -55,7 +55,7 @@ TEST(HoopInBall, SmallerThanTheBallTouchesNoWallAndHasTheEnergyOfACircle) {
   for (const Index edges : {50, 100, 200}) {
     const RodParams params = paper_wire(2 * pi * radius / static_cast<double>(edges), radius);
     RodState ring = make_rod(ring_nodes(radius, edges), params, RodEnds{.closed = true});
-    const SphericalCavity cavity{8};
+    const Cavity cavity{8};
     const EquilibriumReport report = rest(ring, params, cavity);
     EXPECT_EQ(report.end, EquilibriumEnd::converged);
     EXPECT_EQ(firm_wall(params, cavity).forces(ring).sum(), 0);
@@ -71,7 +71,7 @@ TEST(HoopInBall, SmallerThanTheBallTouchesNoWallAndHasTheEnergyOfACircle) {
 
 TEST(HoopInBall, LongerThanTheEquatorIsPressedByTheWallAllAround) {
   // slightly longer, so that the ring stays a circle: too stiff for so small a compression to bend
-  const SphericalCavity cavity{5};
+  const Cavity cavity{5};
   const double rho = 4;
   const Index edges = 100;
   const RodParams params = paper_wire(2 * pi * rho * 1.002 / static_cast<double>(edges), rho);
@@ -93,7 +93,7 @@ TEST(HoopInBall, LongerThanTheEquatorIsPressedByTheWallAllAround) {
 }
 
 // A coil of this many edges along the equator, free at both ends, pressed by its stiffness alone.
-double coil_energy(Index edges, const RodParams& params, const SphericalCavity& cavity) {
+double coil_energy(Index edges, const RodParams& params, const Cavity& cavity) {
   // Eshelby's force at a free end, B / (2 rho^2), is the compression of the coil, and the wall
   // holds it with B / (2 rho^3) per length.
   const double free = cavity.radius - params.radius;
@@ -117,7 +117,7 @@ TEST(HoopInBall, CoilsAtTheWallCostAndPushAsTabulated) {
                              {20, 0.649316, .554017}, {40, 0.316333, .525970},
                              {50, 0.251776, .520616}};
   for (const auto& [radius, hoop_energy, force] : table) {
-    const SphericalCavity cavity{radius};
+    const Cavity cavity{radius};
     const Index per_turn = 120;
     const RodParams params =
         paper_wire(2 * pi * (radius - 1) / static_cast<double>(per_turn), radius - 1);
@@ -135,7 +135,7 @@ TEST(HoopInBall, CoilsAtTheWallCostAndPushAsTabulated) {
 
 TEST(RodOnTheWall, SinksInByItsWeightOverTheStiffnessForAnyMesh) {
   // V3.3 on the floor of a sphere so wide that it is flat along the rod
-  const SphericalCavity cavity{1e6};
+  const Cavity cavity{1e6};
   const double weight = 0.1, floor_stiffness = 50;
   for (const Index edges : {5, 20, 40}) {
     const double length = 10;

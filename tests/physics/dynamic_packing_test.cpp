@@ -13,7 +13,7 @@ namespace wirepack {
 namespace {
 
 Scenario scenario_of(Setup setup, double radius, Method method, double length) {
-  Scenario scenario = default_scenario(setup, SphericalCavity{radius}, 1, 5, method);
+  Scenario scenario = default_scenario(setup, Cavity{radius}, 1, 5, method);
   scenario.stop = {};
   scenario.stop.length = length;
   return scenario;
@@ -132,7 +132,7 @@ testing::MovingWire strut(double share_of_critical) {
   const Index edges = 18;
   WireForces forces;
   forces.wire.stretch_multiplier = 30;  // so that what it stands is that of an inextensible wire
-  forces.cavity = SphericalCavity{radius};
+  forces.cavity = Cavity{radius};
   forces.wall_stiffness = 50;
   forces.friction = StickSlipLaw{20, 20, 1, 0.05};
   forces.damping = 0.002;

@@ -13,7 +13,7 @@ using testing::scaled_scenario;
 
 // Not yet a whole coil, in a small cavity.
 Scenario small_scenario(Method method, FrictionModel friction) {
-  Scenario scenario = default_scenario(Setup::high_torsion, SphericalCavity{4}, 1, 5, method);
+  Scenario scenario = default_scenario(Setup::high_torsion, Cavity{4}, 1, 5, method);
   scenario.friction.model = friction;
   scenario.imperfection = {0.1, 0.5, 0.1};
   scenario.stop = {};

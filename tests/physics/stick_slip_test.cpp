@@ -24,7 +24,7 @@ constexpr double plane_radius = 1e9;
 MovingWire wire_on_plane(double slope, const StickSlipLaw& law, double step = 0.05) {
   WireForces forces;
   forces.wire.edge_length = edge_length;
-  forces.cavity = SphericalCavity{plane_radius};
+  forces.cavity = Cavity{plane_radius};
   forces.friction = law;
   const double weight = gravity * density * pi;  // per length, a = 1
   forces.loads.weight = weight * Vec3(std::sin(slope), 0, -std::cos(slope));
@@ -187,7 +187,7 @@ MovingWire wire_on_great_circle(Index turns, double ratio, double mu) {
   forces.wire.edge_length = 2 * radius * std::sin(turn / 2);
   forces.wire.stretch_multiplier = 30;
   forces.wire.rest_darboux = Vec3(2 * std::tan(turn / 2) / forces.wire.edge_length, 0, 0);
-  forces.cavity = SphericalCavity{radius + 1};
+  forces.cavity = Cavity{radius + 1};
   forces.friction = StickSlipLaw{mu, mu, 2.0 / 3, 0.05};
   forces.damping = 0.2;
   Points nodes(3, turns + 2);

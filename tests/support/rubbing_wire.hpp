@@ -17,7 +17,7 @@ namespace wirepack::testing {
 /// A wire under dead loads on the wall of a sphere with friction, taken from rest to rest.
 struct RubbingWire {
   RodParams params;
-  SphericalCavity cavity;
+  Cavity cavity;
   FrictionParams friction;
   RodState rod;
   Loads loads = {};

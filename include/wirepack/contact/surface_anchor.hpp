@@ -36,7 +36,7 @@ struct SurfaceAnchor {
 /// Anchors at points that are off each other by `spring` (tangential, first minus second surface).
 SurfaceAnchor strand_anchor(const RodState& state, const RodParams& params, Index first, double s,
                             Index second, double t, const Vec3& separation, const Vec3& spring);
-SurfaceAnchor wall_anchor(const RodState& state, const RodParams& params, Index node,
-                          const Vec3& spring);
+SurfaceAnchor wall_anchor(const RodState& state, const RodParams& params, const Cavity& cavity,
+                          Index node, const Vec3& spring);
 
 }  // namespace wirepack

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "wirepack/contact/cavity.hpp"
 #include "wirepack/core/types.hpp"
 #include "wirepack/rod/rod_state.hpp"
 
@@ -49,8 +50,8 @@ struct SurfaceSlip {
 SurfaceSlip strand_slip(const RodState& state, Index first, double s, Index second, double t,
                         const Vec3& separation);
 
-/// Of the wire of radius a on the wall of a cavity about the origin, at a node: the wire's surface
-/// against the wall. The edges that meet at the node each turn half of it.
-SurfaceSlip wall_slip(const RodState& state, Index node, double wire_radius);
+/// Of the wire of radius a on the wall, at a node: the wire's surface against the wall. The edges
+/// that meet at the node each turn half of it.
+SurfaceSlip wall_slip(const RodState& state, Index node, double wire_radius, const Cavity& cavity);
 
 }  // namespace wirepack

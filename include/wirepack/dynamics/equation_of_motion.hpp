@@ -18,7 +18,7 @@ namespace wirepack {
 struct WireForces {
   RodParams wire;
   Stiffness stiffness = wirepack::stiffness(wire);  ///< of the joints; see JointEnergy
-  std::optional<SphericalCavity> cavity;
+  std::optional<Cavity> cavity;
   double wall_stiffness = 5;  ///< [force / length^2]
   std::optional<ContactParams> contact;
   std::optional<StickSlipLaw> friction;  ///< of all contacts, but not in the nozzle

@@ -38,8 +38,7 @@ struct SlipWork {
 class SlipPotential {
  public:
   static constexpr std::string_view name = "friction";
-  SlipPotential(const RodParams& params, const SphericalCavity& cavity,
-                const FrictionParams& friction);
+  SlipPotential(const RodParams& params, const Cavity& cavity, const FrictionParams& friction);
 
   /// An increment starts at `state` with these contacts, forces of the wall on nodes (N), and what
   /// the last increment handed on. Every node but the last, which the nozzle holds, is held by the
@@ -79,7 +78,7 @@ class SlipPotential {
   };
 
   RodParams params_;
-  SphericalCavity cavity_;
+  Cavity cavity_;
   FrictionParams friction_;
   std::vector<Contact> contacts_;
 };

@@ -18,7 +18,7 @@ namespace wirepack {
 class WallEnergy {
  public:
   static constexpr std::string_view name = "wall";
-  WallEnergy(const RodParams& params, const SphericalCavity& cavity, double stiffness);
+  WallEnergy(const RodParams& params, const Cavity& cavity, double stiffness);
   Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
   /// Force per overlap of each node [force / length].
@@ -27,8 +27,11 @@ class WallEnergy {
   Eigen::VectorXd forces(const RodState& state) const;
 
  private:
+  template <class Shape>
+  Energy add_gradient(const Shape& shape, const RodState& state, Gradient& gradient) const;
+
   RodParams params_;
-  SphericalCavity cavity_;
+  Cavity cavity_;
   double stiffness_;
 };
 

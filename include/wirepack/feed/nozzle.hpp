@@ -19,9 +19,9 @@ struct Nozzle {
   TwistCondition twist = TwistCondition::free;
 };
 
-/// The nozzle of a sphere: at (0, 0, R - a), where a clamped node just touches the wall, along the
-/// inward normal.
-Nozzle polar_nozzle(const SphericalCavity& cavity, double wire_radius, TwistCondition twist);
+/// The nozzle at the pole of the z axis, where a clamped node just touches the wall, at (0, 0, R - a)
+/// in a sphere, along the inward normal.
+Nozzle polar_nozzle(const Cavity& cavity, double wire_radius, TwistCondition twist);
 
 /// What the nozzle holds: the node at the clamp, and the rotation of its frame when locked.
 HeldUnknowns held_by(const Nozzle& nozzle, const RodState& state);

@@ -13,6 +13,9 @@ namespace wirepack {
 /// Circle: constant k0 without torsion. Helix: constant k0. Spline: k0 varies along the wire.
 enum class ShapeModel { circle, helix, spline };
 
+/// A spline has no more.
+constexpr Index most_intervals = 96;
+
 struct FitOptions {
   ShapeModel model = ShapeModel::helix;
   bool robust = false;  ///< Huber's loss: points far off count by their distance, not its square

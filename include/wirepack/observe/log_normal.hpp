@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace wirepack {
 
@@ -9,9 +10,8 @@ struct LogNormalFit {
   double mu = 0, sigma = 0;
   double mu_error = 0, sigma_error = 0;  ///< sigma / sqrt n and sigma / sqrt(2 n), Cramer-Rao
   double mean = 0;                       ///< of the values; 1 if they were divided by it
-  double ks_distance =
-      0;          ///< largest difference of the two cumulated distributions (Kolmogorov-Smirnov)
-  int count = 0;  ///< of the values above zero, which are what is fitted
+  double ks_distance = 0;  ///< largest difference of cumulated distributions (Kolmogorov-Smirnov)
+  int count = 0;           ///< of the values above zero, which are what is fitted
 
   double fitted_mean() const;  ///< exp(mu + sigma^2 / 2)
 };
@@ -20,7 +20,10 @@ struct LogNormalFit {
 /// above zero are left out. All zero when fewer than two are left.
 LogNormalFit fit_log_normal(std::span<const double> values);
 
-/// Values over their mean, without those of no energy; as the paper shows E_b / <E_b>.
+/// Values above zero over their mean, in rising order.
+std::vector<double> over_mean(std::span<const double> values);
+
+/// Of values over their mean; as the paper shows E_b / <E_b>.
 LogNormalFit fit_log_normal_over_mean(std::span<const double> values);
 
 }  // namespace wirepack

@@ -14,7 +14,7 @@ struct SpoolModel {
   /// Spacing of strands over the wire radius that Stoop et al. 2011 read from cross-sections.
   static constexpr double seen_spacing = 2.81;
 
-  SphericalCavity cavity;
+  Cavity cavity;
   double wire_radius;     ///< a
   double bend_stiffness;  ///< YI
   double spacing;         ///< d_s, distance of neighbouring strands; 2 a when they just touch

@@ -62,7 +62,7 @@ struct Scenario {
   std::uint64_t seed = 1;
   RodParams wire;
   double density = 1;  ///< rho of the wire, for runs with inertia [mass / length^3]
-  SphericalCavity cavity;
+  Cavity cavity;
   double wall_stiffness = 5;  ///< force per length of wire and per overlap [force / length^2]
   TwistCondition nozzle_twist = TwistCondition::free;
   bool contact_enabled = true;
@@ -83,7 +83,7 @@ struct Scenario {
 /// most; increments are half an edge, stiffnesses of contacts are Y, and the run ends at
 /// F R^2 / YI = 10. Runs with inertia have Coulomb friction, which multiplies the force, and end at
 /// 30.
-Scenario default_scenario(Setup setup, const SphericalCavity& cavity, double wire_radius = 1,
+Scenario default_scenario(Setup setup, const Cavity& cavity, double wire_radius = 1,
                           double youngs_modulus = 5, Method method = Method::quasistatic);
 
 /// Every impossible value as "key = value: what is allowed"; empty when the scenario is valid.
@@ -101,8 +101,6 @@ inline Units units_of(const Scenario& scenario) {
 inline double force_unit(const Scenario& scenario) { return units_of(scenario).scaled_force(); }
 
 /// Inserted length by which a first coil has formed; until then the straight wire is perturbed.
-inline double first_coil_length(const SphericalCavity& cavity) {
-  return 2 * (1 + pi) * cavity.radius;
-}
+inline double first_coil_length(const Cavity& cavity) { return 2 * (1 + pi) * cavity.radius; }
 
 }  // namespace wirepack

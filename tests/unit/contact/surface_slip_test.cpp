@@ -60,11 +60,11 @@ TEST(SurfaceSlip, AWireThatRollsOnTheWallDoesNotSlideAndOneThatDoesNotTurnDoes) 
   const RodState rod = make_rod(nodes, RodParams{});
   Points velocity(3, 3);
   velocity.colwise() = Vec3(0, speed, 0);
-  const SurfaceSlip slip = wall_slip(rod, 1, a);
+  const SurfaceSlip slip = wall_slip(rod, 1, a, Cavity{});
   const Points rolling = turning(rod, velocity, Eigen::Vector2d::Constant(-speed / a));
   EXPECT_LT(slip.of(velocity, rolling).norm(), 1e-14);
   EXPECT_NEAR(slip.of(velocity, 0 * rolling).y(), speed, 1e-14);
-  EXPECT_NEAR(wall_slip(rod, 0, a).of(velocity, 0 * rolling).y(), speed, 1e-14);
+  EXPECT_NEAR(wall_slip(rod, 0, a, Cavity{}).of(velocity, 0 * rolling).y(), speed, 1e-14);
 }
 
 TEST(SurfaceSlip, EqualSpinsOfParallelStrandsRubAndOppositeOnesRoll) {
@@ -86,7 +86,7 @@ TEST(SurfaceSlip, EqualSpinsOfParallelStrandsRubAndOppositeOnesRoll) {
 TEST(SurfaceSlip, ForcesAndMomentsAreTheTransposeOfTheSlipAndAddUpToNothing) {
   Random random(5);
   const RodState rod = crumpled(random);
-  for (const SurfaceSlip& slip : {some_touch(rod, 0.3, -1.2), wall_slip(rod, 4, 1.0)}) {
+  for (const SurfaceSlip& slip : {some_touch(rod, 0.3, -1.2), wall_slip(rod, 4, 1.0, Cavity{})}) {
     Points velocity(3, rod.node_count()), rotation(3, rod.edge_count());
     for (double& v : velocity.reshaped()) v = random.symmetric();
     for (double& v : rotation.reshaped()) v = random.symmetric();

@@ -9,16 +9,12 @@
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
 
+#include "../../support/clamped_rod.hpp"
+
 namespace wirepack {
 namespace {
 
 constexpr double density = 1.3;
-
-Points straight(Index nodes) {
-  Points points = Points::Zero(3, nodes);
-  for (Index i = 0; i < nodes; ++i) points(2, i) = static_cast<double>(i);
-  return points;
-}
 
 /// A wire that moves under its own elasticity, a drag and a gravity.
 struct Wire {
@@ -84,7 +80,7 @@ struct Wire {
 
 /// A free wire, bent, thrown and spinning.
 Wire thrown(double step) {
-  Points nodes = straight(9);
+  Points nodes = testing::straight_nodes(8, 8);
   Random random(7);
   for (Index i = 0; i < nodes.size(); ++i) nodes.data()[i] += 0.05 * random.symmetric();
   const RodState rod = make_rod(nodes, RodParams{});
@@ -99,12 +95,13 @@ Wire thrown(double step) {
 }
 
 TEST(RodMotion, FreeFallIsExact) {
-  const RodState rod = make_rod(straight(5), RodParams{});
+  const RodState rod = make_rod(testing::straight_nodes(4, 4), RodParams{});
   Wire wire(rod, 0.02, HeldUnknowns::none(rod));
   wire.gravity = Vec3(0.3, 0, -1);
   wire.start();
   wire.advance(500);
-  const Points fallen = straight(5).colwise() + 50 * wire.gravity;          // g t^2 / 2, t = 10
+  const Points fallen =
+      testing::straight_nodes(4, 4).colwise() + 50 * wire.gravity;          // g t^2 / 2, t = 10
   EXPECT_LT((wire.state.rod.nodes - fallen).cwiseAbs().maxCoeff(), 1e-10);  // round-off
 }
 
@@ -177,15 +174,13 @@ double measured_frequency(Wire& wire, Value&& value) {
 TEST(RodMotion, AxialAndTorsionalFrequenciesOfAHeldWireAreExactForTheLumpedChain) {
   const Index edges = 10;
   const RodParams params;
-  RodState rod = make_rod(straight(edges + 1), params, {.last_clamped = true});
-  HeldUnknowns held = HeldUnknowns::none(rod);
-  held.hold_node(edges);
-  held.angle.back() = true;
+  const testing::HeldRod start = testing::clamped_rod(edges, params, {.last_clamped = true});
+  const RodState& rod = start.rod;
   RodState stretched = rod;
   for (Index i = 0; i <= edges; ++i) {
     stretched.nodes(2, i) -= 1e-6 * std::cos(pi / 2 * static_cast<double>(i) / edges);
   }
-  Wire axial(stretched, 0.02, held);
+  Wire axial(stretched, 0.02, start.held);
   EXPECT_NEAR(
       measured_frequency(axial, [&] { return axial.state.rod.nodes(2, 0) - rod.nodes(2, 0); }),
       held_frequency(std::sqrt(params.youngs_modulus / density), edges), 1e-5);
@@ -196,7 +191,7 @@ TEST(RodMotion, AxialAndTorsionalFrequenciesOfAHeldWireAreExactForTheLumpedChain
     Quat& frame = twisted.frames[static_cast<std::size_t>(j)];
     frame = rotation_about(third_axis(frame), angle) * frame;
   }
-  Wire torsional(twisted, 0.02, held);
+  Wire torsional(twisted, 0.02, start.held);
   const double shear_modulus = params.youngs_modulus / (2 * (1 + params.poisson_ratio));
   const Quat rest = rod.frames.front();
   EXPECT_NEAR(
@@ -210,21 +205,18 @@ TEST(RodMotion, AClampedWireSwingsAtItsFirstTwoBendingFrequencies) {
   const Index edges = 40;
   const RodParams params;
   const double length = static_cast<double>(edges);
-  const RodState straight_rod = make_rod(straight(edges + 1), params, {.last_clamped = true});
-  HeldUnknowns held = HeldUnknowns::none(straight_rod);
-  held.hold_node(edges);
-  held.angle.back() = true;
+  const testing::HeldRod start = testing::clamped_rod(edges, params, {.last_clamped = true});
   for (const double beta : {1.875104, 4.694091}) {
     const double ratio = (std::cosh(beta) + std::cos(beta)) / (std::sinh(beta) + std::sin(beta));
-    Points bent = straight_rod.nodes;
+    Points bent = start.rod.nodes;
     for (Index i = 0; i <= edges; ++i) {
       const double x = beta * (1 - static_cast<double>(i) / length);
       bent(0, i) = 1e-4 * (std::cosh(x) - std::cos(x) - ratio * (std::sinh(x) - std::sin(x)));
     }
-    RodState rod = straight_rod;
+    RodState rod = start.rod;
     rod.nodes = bent;
     carry_frames(rod);
-    Wire wire(rod, 0.02, held);
+    Wire wire(rod, 0.02, start.held);
     const double expected =
         beta * beta / (length * length) * std::sqrt(stiffness(params).bend / (density * pi));
     // the mesh: beta^2 / (12 edges^2) of joints and as much of lumped masses
@@ -235,7 +227,7 @@ TEST(RodMotion, AClampedWireSwingsAtItsFirstTwoBendingFrequencies) {
 }
 
 TEST(RodMotion, AFallingWireEndsAtTheTerminalVelocityAndAMovingOneSlowsDown) {
-  const RodState rod = make_rod(straight(5), RodParams{});
+  const RodState rod = make_rod(testing::straight_nodes(4, 4), RodParams{});
   Wire wire(rod, 0.02, HeldUnknowns::none(rod));
   wire.drag = 0.5;
   wire.gravity = Vec3(0, 0.2, 0);

@@ -27,7 +27,7 @@ TEST(StickLimit, a_long_relaxation_time_needs_a_short_step) {
 
 TEST(StickLimit, a_wire_on_a_wall_refuses_a_law_that_chatters) {
   WireForces forces;
-  forces.cavity = SphericalCavity{10};
+  forces.cavity = Cavity{10};
   Points nodes = Points::Zero(3, 4);
   nodes.row(0) << -1, 0, 1, 2;
   nodes.row(2).setConstant(-9);

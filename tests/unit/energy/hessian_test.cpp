@@ -4,7 +4,9 @@
 
 #include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/energy/joint_energy.hpp"
+#include "wirepack/energy/open_wall_energy.hpp"
 #include "wirepack/energy/self_contact_energy.hpp"
+#include "wirepack/energy/spring_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
 #include "wirepack/energy/wall_energy.hpp"
 
@@ -160,19 +162,36 @@ TEST(Hessian, OfBendingWithoutTorsionIsExact) {
 
 TEST(Hessian, OfTheWallIsExact) {
   const RodParams params = curved_params();
-  WallEnergy energy(params, SphericalCavity{4}, 5);
-  expect_exact_model(bent_rod(params, {.last_clamped = true}), energy);
+  for (const Cavity& cavity : {Cavity{4}, ellipsoid(Vec3(4, 3, 5))}) {
+    WallEnergy energy(params, cavity, 5);
+    expect_exact_model(bent_rod(params, {.last_clamped = true}), energy);
+  }
 }
 
 TEST(Hessian, of_the_wall_at_a_free_end_that_leans_is_exact) {
   const RodParams params = curved_params();
-  WallEnergy energy(params, SphericalCavity{10}, 5);
   Points nodes(3, 5);
   for (Index i = 0; i < 5; ++i) {
     nodes.col(i) = Vec3(0.3, -0.2, 9.3) - static_cast<double>(i) * Vec3(0.6, 0, 0.8);
   }
   const RodState state = make_rod(nodes, params, {.last_clamped = true});
-  expect_exact_model(state, energy, HeldUnknowns::none(state));
+  for (const Cavity& cavity : {Cavity{10}, ellipsoid(Vec3(8, 12, 10))}) {
+    WallEnergy energy(params, cavity, 5);
+    expect_exact_model(state, energy, HeldUnknowns::none(state));
+  }
+}
+
+TEST(Hessian, of_springs_and_of_planes_and_cylinders_as_walls_is_exact) {
+  const RodParams params = curved_params();
+  const RodState state = bent_rod(params, {.last_clamped = true});
+  SpringEnergy springs({{2, Vec3(1, 2, 3), 0.7}, {5, Vec3(-1, 0, 4), 2}});
+  expect_exact_model(state, springs);
+  const Vec3 node = state.nodes.col(4);
+  OpenWallEnergy walls(params,
+                       {PlaneWall{node - Vec3(0, 0, 0.4), Vec3::UnitZ()},
+                        CylinderWall{node - Vec3(0.9, 1.2, 0), Vec3::UnitZ(), 1.8}},
+                       5);
+  expect_exact_model(state, walls);
 }
 
 // Two legs of one rod that press on each other in their middle, away from the ends.

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "wirepack/energy/joint_energy.hpp"
-#include "wirepack/solve/gradient_check.hpp"
 
+#include "../../support/exact_gradient.hpp"
 #include "../../support/sample_rods.hpp"
 
 namespace wirepack {
@@ -63,13 +63,7 @@ void expect_exact_gradients(double poisson_ratio, bool bend) {
       const RodState state = random_state(params, ends, seed);
       const JointEnergies parts = joint_energies(params, state);
       EXPECT_LT(bend ? parts.twist : parts.bend, share * (bend ? parts.bend : parts.twist));
-      const HeldUnknowns none = HeldUnknowns::none(state);
-      Random random(seed);
-      Eigen::VectorXd offset(FrameChart(state, none).size());
-      for (double& v : offset) v = 0.1 * random.symmetric();
-      const GradientCheck check = check_gradient(state, none, EnergyTerms{energy}, offset, 1e-6);
-      EXPECT_GT(check.largest_derivative, 0.1);
-      EXPECT_LT(check.relative_error, 1e-7);  // rounding 1e-16 N over 1e-6, and 1e-12
+      testing::expect_exact_gradient(state, energy, testing::small_offset(state, seed), 0.1);
     }
   }
 }

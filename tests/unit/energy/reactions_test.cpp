@@ -7,7 +7,7 @@
 #include "wirepack/energy/stretch_energy.hpp"
 #include "wirepack/solve/stability.hpp"
 
-#include "../../support/sample_rods.hpp"
+#include "../../support/clamped_rod.hpp"
 
 namespace wirepack {
 namespace {
@@ -15,12 +15,7 @@ namespace {
 TEST(Reactions, of_a_clamp_is_the_opposite_of_the_load_and_of_free_nodes_nothing) {
   constexpr Index edges = 40;
   RodParams wire;
-  Points nodes = Points::Zero(3, edges + 1);
-  for (Index i = 0; i <= edges; ++i) nodes(2, i) = static_cast<double>(i);
-  RodState rod = make_rod(nodes, wire, {.first_clamped = true});
-  HeldUnknowns held = HeldUnknowns::none(rod);
-  held.hold_node(0);
-  held.angle[static_cast<std::size_t>(rod.first_clamp_frame())] = true;
+  auto [rod, held] = testing::clamped_rod(edges, wire, {.first_clamped = true});
   const double unit = stiffness(wire).bend / (edges * edges);
   const Vec3 load = unit * Vec3(1, 0.3, -0.2);
   const StretchEnergy stretch(wire);

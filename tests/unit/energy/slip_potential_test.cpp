@@ -81,7 +81,7 @@ struct Touching {
     return sum;
   }
   SlipPotential potential(std::span<const SlipMemory> memory = {}) const {
-    SlipPotential slip(RodParams{}, SphericalCavity{}, friction);
+    SlipPotential slip(RodParams{}, Cavity{}, friction);
     slip.start(rod, touches, no_wall, memory);
     return slip;
   }
@@ -114,7 +114,8 @@ TEST(SlipPotential, GradientMatchesDifferencesForStuckAndSlidingContacts) {
     for (const double angle : {0.0, 0.4, 1.5}) {
       Touching touching(two_legs(angle, ends), 0.01);
       RodState& rod = touching.rod;
-      const SphericalCavity cavity{rod.nodes.colwise().norm().maxCoeff() + 0.5};
+      const double reach = rod.nodes.colwise().norm().maxCoeff() + 0.5;
+      const Cavity cavity = angle == 0.4 ? ellipsoid(reach * Vec3(1, 0.9, 1.1)) : Cavity{reach};
       touching.no_wall = WallEnergy(RodParams{}, cavity, 5).forces(rod);
       SlipPotential potential = touching.potential(some_memory(touching));
       const FrameChart chart(rod, HeldUnknowns::none(rod));
@@ -225,7 +226,7 @@ TEST(SlipPotential, AWireRollsOnTheWallFreelyAndSkidsOnItForMuN) {
   nodes << -1, 0, 1, 0, 0, 0, -9, -9, -9;  // along x, on the bottom of a cavity
   const RodParams params;
   const RodState rod = make_rod(nodes, params);
-  SlipPotential potential(params, SphericalCavity{}, friction);
+  SlipPotential potential(params, Cavity{}, friction);
   Eigen::VectorXd forces(3);
   forces << 0, 2, 0;
   potential.start(rod, {}, forces, {});
@@ -244,7 +245,7 @@ TEST(SlipPotential, WhatRestsKeepsItsSpringAndWhatSlidIsHeldByTheDynamicCoeffici
   const Touching touching(two_legs(0));
   const double n = touching.normal_force();
   const auto pull = [&](const RodState& from, double way, std::vector<SlipMemory>& memory) {
-    SlipPotential potential(RodParams{}, SphericalCavity{}, friction);
+    SlipPotential potential(RodParams{}, Cavity{}, friction);
     // contacts and forces of the first state: what is handed on is at issue
     potential.start(from, touching.touches, touching.no_wall, memory);
     RodState rod = from;
@@ -280,7 +281,7 @@ TEST(SlipPotential, AContactThatFormsOnTheWayIsHeldFromWhereItTouchesOn) {
   };
   const double n = now.normal_force();
   const auto held_after = [&](double way) {
-    SlipPotential potential(RodParams{}, SphericalCavity{}, friction);
+    SlipPotential potential(RodParams{}, Cavity{}, friction);
     const RodState before = from(way);
     potential.start(before, {}, now.no_wall, {});
     EXPECT_EQ(potential.join(before, now.rod, now.touches, now.no_wall, 10).count,
@@ -314,7 +315,7 @@ TEST(SlipPotential, ANodeThatComesToTheWallIsHeldThereFromThenOn) {
   RodState before = rod;
   before.nodes.row(1).array() -= 0.2;  // its gap was 0.1 there, and is -0.1
   before.nodes.row(2).array() -= 0.02;
-  SlipPotential potential(RodParams{}, SphericalCavity{10}, friction);
+  SlipPotential potential(RodParams{}, Cavity{10}, friction);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(3), middle = Eigen::VectorXd::Unit(3, 1);
   potential.start(before, {}, none, {});
   EXPECT_EQ(potential.join(before, rod, {}, middle, 10).count, 1);

@@ -25,7 +25,7 @@ std::string message_of(const std::string& text, const std::vector<ConfigOverride
 
 TEST(ConfigFile, radius_alone_gives_the_run_of_the_paper) {
   const Scenario s = parsed("[cavity]\nradius = 20\n");
-  const Scenario expected = default_scenario(Setup::low_torsion, SphericalCavity{20});
+  const Scenario expected = default_scenario(Setup::low_torsion, Cavity{20});
   EXPECT_EQ(resolved_config(s), resolved_config(expected));
   EXPECT_EQ(s.stop.scaled_force, 10);
 }
@@ -57,7 +57,7 @@ TEST(ConfigFile, a_given_limit_replaces_the_default_limit) {
 }
 
 TEST(ConfigFile, the_resolved_text_gives_an_equal_scenario) {
-  Scenario s = default_scenario(Setup::high_torsion, SphericalCavity{17.0 / 3}, 0.1 + 0.2, 1e7 / 3);
+  Scenario s = default_scenario(Setup::high_torsion, Cavity{17.0 / 3}, 0.1 + 0.2, 1e7 / 3);
   s.seed = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   s.wire.poisson_ratio = -0.1;
   s.contact_enabled = false;
@@ -114,7 +114,7 @@ TEST(ConfigFile, a_reference_shape_is_kept_to_the_last_bit_and_takes_the_place_o
 }
 
 TEST(ConfigFile, scenarios_that_have_no_text_are_refused) {
-  Scenario s = default_scenario(Setup::low_torsion, SphericalCavity{10});
+  Scenario s = default_scenario(Setup::low_torsion, Cavity{10});
   s.wire.rest_darboux = Vec3(0.1, 0, 0);
   EXPECT_THROW(resolved_config(s), InvalidInput);
   s.wire.rest_darboux = Vec3::Zero();

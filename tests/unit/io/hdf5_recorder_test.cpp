@@ -10,29 +10,22 @@
 #include "wirepack/io/hdf5_reader.hpp"
 
 #include "../../support/sample_rods.hpp"
+#include "../../support/temporary_folder.hpp"
 
 namespace wirepack {
 namespace {
 
 class Hdf5File : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (std::filesystem::temp_directory_path() / "wirepack-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path file() const { return folder_ / "run.h5"; }
   std::size_t files_in_folder() const {
     return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(folder_), {}));
+        std::distance(std::filesystem::directory_iterator(folder_.path()), {}));
   }
 
-  std::filesystem::path folder_;
+  testing::TemporaryFolder folder_;
   // a run that has every column
-  Scenario scenario_ =
-      default_scenario(Setup::high_torsion, SphericalCavity{5}, 1, 5, Method::dynamic);
+  Scenario scenario_ = default_scenario(Setup::high_torsion, Cavity{5}, 1, 5, Method::dynamic);
 };
 
 HistoryRow row_of(int increment) {
@@ -161,7 +154,7 @@ TEST_F(Hdf5File, rows_of_many_flushes_come_back_in_order) {
 }
 
 TEST_F(Hdf5File, a_run_without_friction_and_inertia_has_none_of_their_columns) {
-  const Scenario plain = default_scenario(Setup::high_torsion, SphericalCavity{5});
+  const Scenario plain = default_scenario(Setup::high_torsion, Cavity{5});
   Hdf5Recorder recorder(file(), plain, "test");
   recorder.add(row_of(1));
   recorder.flush(progress_of(1, 20));
@@ -264,7 +257,7 @@ TEST_F(Hdf5File, a_target_that_cannot_be_replaced_is_an_error_and_stays) {
   EXPECT_THROW(Hdf5Recorder(folder_ / "no" / "run.h5", scenario_, "").flush(progress_of(1, 20)),
                FileError);
   EXPECT_THROW(Hdf5Reader{folder_ / "none.h5"}, FileError);
-  EXPECT_THROW(Hdf5Reader{folder_}, FileError);
+  EXPECT_THROW(Hdf5Reader{folder_.path()}, FileError);
 }
 
 }  // namespace

@@ -8,8 +8,7 @@ namespace {
 
 TEST(HistoryTable, columns_are_scaled_as_the_header_says) {
   // a = 2, Y = 3, R = 10: YI = 12 pi, YI / R^2 = 0.12 pi, YI / R = 1.2 pi
-  const Scenario scenario =
-      default_scenario(Setup::low_torsion, SphericalCavity{10}, /*wire_radius=*/2, 3);
+  const Scenario scenario = default_scenario(Setup::low_torsion, Cavity{10}, /*wire_radius=*/2, 3);
   HistoryRow row;
   row.increment = 12;
   row.inserted_length = 30;
@@ -37,7 +36,7 @@ TEST(HistoryTable, columns_are_scaled_as_the_header_says) {
 }
 
 TEST(HistoryTable, header_and_lines_are_aligned) {
-  const HistoryTable table(default_scenario(Setup::low_torsion, SphericalCavity{10}));
+  const HistoryTable table(default_scenario(Setup::low_torsion, Cavity{10}));
   const std::string header = table.header();
   const std::string line = table.line(HistoryRow{}, PackingProgress{});
   EXPECT_EQ(header.find('\n') + 1, line.size());

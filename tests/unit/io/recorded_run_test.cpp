@@ -3,11 +3,12 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
+
+#include "../../support/temporary_folder.hpp"
 
 namespace wirepack {
 namespace {
@@ -15,18 +16,14 @@ namespace {
 class RecordedRunTest : public ::testing::Test {
  protected:
   RecordedRunTest() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     scenario_.stop = {};
     scenario_.stop.increments = 12;
   }
-  ~RecordedRunTest() override { std::filesystem::remove_all(folder_); }
 
   std::filesystem::path file(const char* name) const { return folder_ / name; }
   std::vector<HistoryRow> rows(const char* name) const { return Hdf5Reader(file(name)).history(); }
 
-  std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) / ("recorded_run_" + std::to_string(::getpid()));
+  testing::TemporaryFolder folder_;
   Scenario scenario_ = default_scenario(Setup::high_torsion, {5});
 };
 

@@ -7,16 +7,14 @@
 
 #include "wirepack/core/error.hpp"
 
+#include "../../support/temporary_folder.hpp"
+
 namespace wirepack {
 namespace {
 
-class ResultLockTest : public testing::Test {
+class ResultLockTest : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("result_lock_" + std::to_string(::getpid()));
+  testing::TemporaryFolder folder_;
   std::filesystem::path result_ = folder_ / "out.h5";
 };
 
@@ -31,7 +29,7 @@ TEST_F(ResultLockTest, only_one_has_it_and_it_ends_with_its_scope) {
     EXPECT_EQ(writer->find("process " + std::to_string(::getpid()) + " on "), 0u);
   }
   EXPECT_FALSE(writer_of(result_));
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
   EXPECT_NO_THROW(ResultLock{result_});
 }
 

@@ -10,10 +10,10 @@
 namespace wirepack {
 namespace {
 
-SpoolModel paper_spool() { return {SphericalCavity{40}, 1, 5 * pi / 4, 2.81}; }
+SpoolModel paper_spool() { return {Cavity{40}, 1, 5 * pi / 4, 2.81}; }
 
 TEST(PackingDensity, IsVolumeOfWireOverVolumeOfCavity) {
-  const SphericalCavity cavity{7};
+  const Cavity cavity{7};
   const double length = 30, radius = 0.4;
   const double wire = pi * radius * radius * length, sphere = 4.0 / 3 * pi * 7 * 7 * 7;
   EXPECT_NEAR(packing_density(length, cavity, radius), wire / sphere, 1e-15);
@@ -25,7 +25,7 @@ TEST(PackingDensity, OfOneHoopIsThatOfTheTable) {
   const double table[][2] = {{4, .220893},  {5, .150796},  {10, .042412}, {13, .025739},
                              {20, .011192}, {40, .002872}, {50, .001847}};
   for (const auto& [r, density] : table) {
-    EXPECT_NEAR(packing_density(2 * pi * (r - 1), SphericalCavity{r}, 1), density, 5.1e-7) << r;
+    EXPECT_NEAR(packing_density(2 * pi * (r - 1), Cavity{r}, 1), density, 5.1e-7) << r;
   }
 }
 

@@ -16,8 +16,7 @@ using testing::scaled_scenario;
 
 // Every number that has a unit, none of them round.
 Scenario crooked_scenario() {
-  Scenario scenario =
-      default_scenario(Setup::high_torsion, SphericalCavity{11.7}, 1, 5, Method::dynamic);
+  Scenario scenario = default_scenario(Setup::high_torsion, Cavity{11.7}, 1, 5, Method::dynamic);
   scenario.wire.edge_length = 0.7;
   scenario.density = 0.3;
   scenario.wall_stiffness = 17.0 / 3;
@@ -67,8 +66,7 @@ TEST(OwnUnits, make_radius_modulus_and_density_one_and_keep_ratios) {
 }
 
 TEST(OwnUnits, a_valid_scenario_is_valid_in_them_at_its_limits) {
-  Scenario scenario =
-      default_scenario(Setup::low_torsion, SphericalCavity{1000.0 / 3 * 3e-9}, 1e-9);
+  Scenario scenario = default_scenario(Setup::low_torsion, Cavity{1000.0 / 3 * 3e-9}, 1e-9);
   scenario.wire.edge_length = 2e-9 / 3;
   scenario.insertion.increment = scenario.wire.edge_length / 1000;
   EXPECT_TRUE(problems(scenario).empty());
@@ -137,7 +135,7 @@ void expect_the_same_progress_from_a_run_in_units_of_the_scenario(Scenario scena
 
 // Numbers of 13 digits at most, so that nothing is rounded.
 Scenario round_scenario(Method method) {
-  Scenario scenario = default_scenario(Setup::high_torsion, SphericalCavity{4}, 1, 1, method);
+  Scenario scenario = default_scenario(Setup::high_torsion, Cavity{4}, 1, 1, method);
   scenario.friction.model = FrictionModel::coulomb;
   scenario.contact.excluded_arc_length = 3;
   return scenario;

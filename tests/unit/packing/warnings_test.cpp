@@ -7,7 +7,7 @@ namespace wirepack {
 namespace {
 
 Scenario fine() {
-  Scenario scenario = default_scenario(Setup::low_torsion, SphericalCavity{10});
+  Scenario scenario = default_scenario(Setup::low_torsion, Cavity{10});
   scenario.stop.density = 0.2;
   return scenario;
 }

@@ -5,8 +5,8 @@
 #include "wirepack/energy/joint_energy.hpp"
 #include "wirepack/solve/gradient_check.hpp"
 
+#include "../../support/clamped_rod.hpp"
 #include "../../support/helices.hpp"
-#include "../../support/sample_rods.hpp"
 
 namespace wirepack {
 namespace {
@@ -77,11 +77,7 @@ TEST(RestStrain, GradientAndForceOfInsertionMatchDifferences) {
 
 // A straight wire in the nozzle, let go: it winds itself up into its reference shape.
 RodState released(const RodParams& params, Index edges) {
-  const double length = params.edge_length * static_cast<double>(edges);
-  RodState state = make_rod(testing::straight_nodes(edges, length), params, {.last_clamped = true});
-  HeldUnknowns held = HeldUnknowns::none(state);
-  held.hold_node(edges);
-  testing::hold_angle(held, state.last_clamp_frame());
+  auto [state, held] = testing::clamped_rod(edges, params, {.last_clamped = true});
   testing::rest(state, held, params);
   return state;
 }

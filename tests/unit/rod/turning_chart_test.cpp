@@ -75,7 +75,7 @@ TEST(TurningChart, StraightStepAlongARotationTurnsTheWireAsAWhole) {
   RodState turned = s.chart.reference();
   turning.set_state(rotation_step(s.chart, omega), turned);
   StretchEnergy stretch(s.params);
-  WallEnergy wall(s.params, SphericalCavity{2}, 5);
+  WallEnergy wall(s.params, Cavity{2}, 5);
   const auto energy = [](const auto& term, const RodState& state) {
     Gradient unused;
     set_zero(unused, state);
@@ -99,7 +99,7 @@ TEST(TurningChart, DerivativesMatchDifferencesWithAndWithoutTurning) {
     TurningChart turning(s.chart, taper);
     StretchEnergy stretch(s.params);
     JointEnergy joints(s.params);
-    WallEnergy wall(s.params, SphericalCavity{4}, 5);
+    WallEnergy wall(s.params, Cavity{4}, 5);
     EnergyTerms total{stretch, joints, wall};
     RodState state = s.chart.reference();
     Gradient gradient;

@@ -10,27 +10,30 @@
 #include "wirepack/energy/stretch_energy.hpp"
 #include "wirepack/solve/minimizer.hpp"
 
-#include "../../support/sample_rods.hpp"
+#include "../../support/clamped_rod.hpp"
 
 namespace wirepack {
 namespace {
 
+RodParams wire_of(double radius) {
+  RodParams params;
+  params.radius = params.edge_length = radius;
+  return params;
+}
+
 // A cantilever of 20 edges, clamped at its last node, pulled across at its tip.
 struct Cantilever {
-  RodParams params;
+  double unit = 1;  // of length
+  RodParams params = wire_of(unit);
   StretchEnergy stretch{params};
   JointEnergy joints{params};
-  LoadEnergy load{params, Loads{{{0, Vec3(0.02, 0, 0)}}, {}, Vec3::Zero()}};
+  LoadEnergy load{params, Loads{{{0, Vec3(0.02 * unit * unit, 0, 0)}}, {}, Vec3::Zero()}};
   EnergyTerms energy{stretch, joints, load};
-  RodState rod = make_rod(testing::straight_nodes(20, 20), params, {.last_clamped = true});
+  testing::HeldRod straight = testing::clamped_rod(20, params, {.last_clamped = true});
+  RodState rod = straight.rod;
   EquilibriumOptions options{1e-7, 1e-7, 4e-6, {}, {}, 0};
 
-  EquilibriumReport rest() {
-    HeldUnknowns held = HeldUnknowns::none(rod);
-    held.hold_node(20);
-    held.angle.back() = true;
-    return solve_equilibrium(rod, held, energy, options);
-  }
+  EquilibriumReport rest() { return solve_equilibrium(rod, straight.held, energy, options); }
 };
 
 TEST(Equilibrium, CantileverBendsByTheTextbookAmountAndTheResidualIsMet) {
@@ -44,20 +47,10 @@ TEST(Equilibrium, CantileverBendsByTheTextbookAmountAndTheResidualIsMet) {
 
 TEST(Equilibrium, is_the_same_in_any_unit_of_length) {
   const auto rest_in = [](double unit) {
-    RodParams params;
-    params.radius = params.edge_length = unit;
-    StretchEnergy stretch(params);
-    JointEnergy joints(params);
-    LoadEnergy load(params, Loads{{{0, Vec3(0.02 * unit * unit, 0, 0)}}, {}, Vec3::Zero()});
-    RodState rod = make_rod(unit * testing::straight_nodes(20, 20), params, {.last_clamped = true});
-    HeldUnknowns held = HeldUnknowns::none(rod);
-    held.hold_node(20);
-    held.angle.back() = true;
-    EquilibriumOptions options =
-        equilibrium_options(stiffness(params).bend, unit, 1e-7 * unit * unit);
-    options.exactness = 0.7;
-    const EquilibriumReport report =
-        solve_equilibrium(rod, held, EnergyTerms{stretch, joints, load}, options);
+    Cantilever c{unit};
+    c.options = equilibrium_options(stiffness(c.params).bend, unit, 1e-7 * unit * unit);
+    c.options.exactness = 0.7;
+    const EquilibriumReport report = c.rest();
     EXPECT_EQ(report.end, EquilibriumEnd::converged) << unit;
     return std::pair(double(report.energy) / std::pow(unit, 3), report.work.evaluations);
   };

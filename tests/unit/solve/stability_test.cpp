@@ -7,7 +7,7 @@
 #include "wirepack/energy/load_energy.hpp"
 #include "wirepack/energy/stretch_energy.hpp"
 
-#include "../../support/sample_rods.hpp"
+#include "../../support/clamped_rod.hpp"
 
 namespace wirepack {
 namespace {
@@ -21,10 +21,9 @@ struct Strut {
     params.stretch_multiplier = 100;
     const double length = 40 * unit;
     thrust = part * pi * pi / 4 * stiffness(params).bend / (length * length);
-    rod = make_rod(unit * testing::straight_nodes(40, 40), params, {.last_clamped = true});
-    held = HeldUnknowns::none(rod);
-    held.hold_node(40);
-    held.angle.back() = true;
+    auto clamped = testing::clamped_rod(40, params, {.last_clamped = true});
+    rod = std::move(clamped.rod);
+    held = std::move(clamped.held);
     const Vec3 along = (rod.nodes.col(40) - rod.nodes.col(0)).normalized();
     loads.forces.push_back({0, thrust * along});
     options = equilibrium_options(stiffness(params).bend, unit,

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+#include "wirepack/core/plain_text.hpp"
+#include "wirepack/io/figure.hpp"
+#include "wirepack/io/scenario_groups.hpp"
+#include "wirepack/observe/power_law.hpp"
+#include "wirepack/observe/sample.hpp"
+#include "wirepack/packing/mean_force.hpp"
+
+#include "gnuplot.hpp"
+#include "published.hpp"
+
+namespace wirepack {
+
+namespace {
+
+// Runs that differ in their seeds alone.
+struct Reading {
+  double ratio;  // a / R
+  std::vector<double> densities;
+};
+
+// Readings that one law is fitted to.
+struct ReadingSeries {
+  std::string name;
+  std::vector<Reading> readings;
+};
+
+std::vector<Scenario> scenarios_of(const std::vector<FigureRun>& runs,
+                                   const std::vector<std::size_t>& chosen) {
+  std::vector<Scenario> scenarios;
+  for (const std::size_t k : chosen) scenarios.push_back(runs[k].scenario);
+  return scenarios;
+}
+
+std::optional<double> density_at(const FigureRun& run, double threshold) {
+  return density_at_force(mean_forces(run.scenario, run.history),
+                          threshold * units_of(run.scenario).scaled_force());
+}
+
+std::vector<Reading> readings_of(const std::vector<FigureRun>& runs,
+                                 const std::vector<std::size_t>& series, double threshold) {
+  std::vector<Reading> readings;
+  for (const auto& group : seed_groups(scenarios_of(runs, series))) {
+    const Scenario& scenario = runs[series[group.front()]].scenario;
+    Reading reading{scenario.wire.radius / scenario.cavity.radius, {}};
+    for (const std::size_t member : group) {
+      const auto density = density_at(runs[series[member]], threshold);
+      if (density) reading.densities.push_back(*density);
+    }
+    if (!reading.densities.empty()) readings.push_back(reading);
+  }
+  return readings;
+}
+
+std::string name_in_key(Setup setup) {
+  return setup == Setup::high_torsion ? "high torsion" : "low torsion";
+}
+
+// Series of one setup are told apart by their first runs.
+std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double threshold) {
+  std::vector<std::size_t> all(runs.size());
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+  const ScenarioGroups groups = radius_series(scenarios_of(runs, all));
+  std::map<Setup, int> uses;
+  for (const auto& group : groups) ++uses[runs[group.front()].scenario.setup];
+  std::vector<ReadingSeries> series;
+  for (const auto& group : groups) {
+    const FigureRun& first = runs[group.front()];
+    std::string name = name_in_key(first.scenario.setup);
+    if (uses[first.scenario.setup] > 1) name += fmt::format(", as {}", first.label);
+    std::vector<Reading> readings = readings_of(runs, group, threshold);
+    if (!readings.empty()) series.push_back({name, std::move(readings)});
+  }
+  return series;
+}
+
+std::string block(const ReadingSeries& series) {
+  std::string text =
+      fmt::format("# {}\n# a/R phi_max standard_error runs\n", plain_text(series.name));
+  for (const Reading& reading : series.readings) {
+    const Sample s = sample(reading.densities);
+    text += fmt::format("{} {} {} {}\n", reading.ratio, s.mean,
+                        s.count > 1 ? s.standard_error() : 0, s.count);
+  }
+  return text + "\n\n";
+}
+
+// The fitted law as one more curve; nothing where there are too few readings to fit one.
+std::string fitted_law(const ReadingSeries& series, std::size_t colour) {
+  std::vector<double> x, y;
+  for (const Reading& reading : series.readings) {
+    x.insert(x.end(), reading.densities.size(), reading.ratio);
+    y.insert(y.end(), reading.densities.begin(), reading.densities.end());
+  }
+  if (x.size() < 3 || std::set<double>(x.begin(), x.end()).size() < 2) return "";
+  const PowerLaw law = fit_power_law(x, y);
+  return fmt::format(
+      ", {} * x**{} with lines lw 1.5 lc {} {}", law.factor, law.exponent, colour,
+      gnuplot_title(fmt::format("{}: exponent {:.2f} +- {:.2f}, {} runs", series.name, law.exponent,
+                                law.exponent_error, x.size())));
+}
+
+constexpr const char* axes =
+    "set logscale xy\nset xrange [0.015:0.4]\nset yrange [0.1:1]\n"
+    "set xtics (0.02, 0.05, 0.1, 0.2)\nset ytics (0.1, 0.2, 0.3, 0.5, 0.7, 1)\n"
+    "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
+    "set key below Left reverse maxcols 1\n"
+    "set object 1 rectangle from graph 0, first coils_lowest to graph 1, first coils_highest "
+    "behind fs solid 0.5 noborder fc rgb '#e8e8e8'\n"
+    "set label 1 'endovascular coils, clinical' at graph 0.98, first 0.215 right tc rgb "
+    "'#777777'\n";
+
+constexpr const char* published_curves =
+    "paper_phi_max(x) with lines dashtype 2 lc rgb 'black' title sprintf('Stoop et al. 2011, "
+    "high torsion: exponent %.2f', paper_exponent), "
+    "$phages using 1:2 with points pt 4 ps 1 lc rgb '#555555' title 'DNA in phages'";
+
+}  // namespace
+
+bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
+                  double threshold) {
+  const std::vector<ReadingSeries> series = all_series(runs, threshold);
+  if (series.empty()) return false;
+  std::string data, points, laws;
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    data += block(series[k]);
+    points += fmt::format(
+        "'phi_max.dat' index {} using 1:2:3 with yerrorbars pt 7 ps 1 lw 1.5 lc {} {}, ", k, k + 1,
+        gnuplot_title(series[k].name));
+    laws += fitted_law(series[k], k + 1);
+  }
+  const std::string commands =
+      std::string(published_numbers) +
+      fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
+                  threshold) +
+      axes + "plot " + points + published_curves + laws + "\n";
+  draw_with_gnuplot(folder, "phi_max", data, commands, curve_size, curve_pixels);
+  return true;
+}
+
+}  // namespace wirepack
