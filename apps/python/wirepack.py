@@ -6,8 +6,8 @@
     run.frames[0.1:0.2]               # those of packing densities 0.1 to 0.2
     run.to_xyz("out.xyz"), run.to_gsd("out.gsd"), run.frames[-1].to_pyvista()
 
-Units are powers of the base units of the configuration. Frames that are not in equilibrium are
-refused with NotConverged, unless Run(path, unconverged=True) asks for them.
+Units are powers of the configuration's base units. Frames that are not known to be in equilibrium
+are refused with NotConverged, unless Run(path, unconverged=True) asks for them.
 """
 
 import html
@@ -21,8 +21,8 @@ import numpy
 FORMAT_VERSIONS = (1, 2, 3)  # they differ in the checkpoint and checksums, which are not read here
 FAILURES = ("no_equilibrium", "strands_passed")
 FRAME_ARRAYS = {"position": "length", "quaternion": "1", "bend_energy": "force length",
-                "twist_energy": "force length", "wall_force": "force", "contact_pairs": "1",
-                "contact_force": "force"}
+                "twist_energy": "force length", "wall_force": "force",
+                "contact_pairs": "1", "contact_force": "force"}
 FRAME_NUMBERS = dict(increment="1", inserted_length="length", packing_density="1", force="force")
 
 
@@ -99,7 +99,6 @@ class Frame:
     def to_pyvista(self):
         """The wire as a line of pyvista; .tube(radius=run.radius) gives it its thickness."""
         import pyvista
-
         line = pyvista.PolyData(numpy.array(self.position))
         line.lines = numpy.concatenate([[len(self)], numpy.arange(len(self))])
         for name in ("arc_length", "bend_energy", "twist_energy", "wall_force"):
@@ -125,8 +124,8 @@ class Frames:
 
     @property
     def packing_density(self):
-        groups = self._run._file["frames"]
-        return Quantity([groups[name].attrs["packing_density"] for name in self._names], "1")
+        return Quantity([self._run._file["frames"][name].attrs["packing_density"]
+                         for name in self._names], "1")
 
     def __getitem__(self, key):
         if isinstance(key, slice):
@@ -170,7 +169,9 @@ class Run:
     finished = property(lambda self: bool(self.attributes["finished"]))
     stop_reason = property(lambda self: self.attributes["stop_reason"])  # empty unless finished
     radius = property(lambda self: self.config["wire"]["radius"])
-    cavity_radius = property(lambda self: self.config["cavity"]["radius"])
+    semi_axes = property(
+        lambda run: numpy.full(3, (c := run.config["cavity"]).get("semi_axes") or c["radius"]))
+    cavity_radius = property(lambda self: float(numpy.cbrt(self.semi_axes.prod())))
     youngs_modulus = property(lambda self: self.config["wire"]["youngs_modulus"])
     bend_stiffness = property(lambda self: self.youngs_modulus * numpy.pi * self.radius**4 / 4)
 
@@ -203,19 +204,18 @@ class Run:
     def to_gsd(self, path):
         """GSD of all frames, nodes as particles and edges as bonds, for OVITO, freud and HOOMD."""
         import gsd.hoomd
-
         with gsd.hoomd.open(str(path), "wb") as out:
             for f in self.frames:
                 shot = gsd.hoomd.Snapshot()
                 shot.configuration.step = f.increment
-                shot.configuration.box = [2 * self.cavity_radius] * 3 + [0, 0, 0]
+                shot.configuration.box = [*(2 * self.semi_axes), 0, 0, 0]
                 shot.particles.N, shot.bonds.N = len(f), len(f) - 1
                 shot.particles.position = numpy.array(f.position)
                 shot.particles.diameter = numpy.full(len(f), 2 * self.radius)
                 shot.particles.types, shot.bonds.types = ["wire"], ["edge"]
                 shot.bonds.group = numpy.arange(len(f) - 1)[:, None] + [0, 1]
-                shot.log["particles/bend_energy"] = numpy.array(f.bend_energy)
-                shot.log["particles/wall_force"] = numpy.array(f.wall_force)
+                for name in ("bend_energy", "wall_force"):
+                    shot.log["particles/" + name] = numpy.array(getattr(f, name))
                 out.append(shot)
 
     state = property(lambda self: f"ended by {self.stop_reason}" if self.finished else "unfinished")
@@ -245,6 +245,6 @@ def _curve(history, name, scale, unit):
     heights = 100 - 90 * numpy.clip(y / top, -0.1, 1.1)
     points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(300 * x / x.max(), heights))
     label = f"{name} [{unit}] to {top:.3g} against packing density to {x.max():.3g}"
-    return (f'<figure><svg width="300" height="100" role="img" aria-label="{label}"><polyline '
-            f'fill="none" stroke="#2b5c8a" points="{points}"/></svg>'
+    line = f'<polyline fill="none" stroke="#2b5c8a" points="{points}"/>'
+    return (f'<figure><svg width="300" height="100" role="img" aria-label="{label}">{line}</svg>'
             f"<figcaption>{label}</figcaption></figure>")

@@ -138,6 +138,7 @@ Json json_of(const ObservedFrame& frame, const AnalysedRun& run) {
     row[std::string(q.name)] = q.whole ? Json(static_cast<std::int64_t>(value)) : number(value);
   }
   row["knot"] = frame.knot.name;
+  row["radial_density"] = nullptr;  // an ellipsoid has no spherical shells
   for (const ShellDensity& s : frame.density) {
     row["radial_density"].push_back(
         {{"inner", s.inner}, {"outer", s.outer}, {"density", s.density}});

@@ -94,8 +94,10 @@ ObservedFrame observe_frame(const std::string& run, const Scenario& scenario, co
   o.loops = sample(loop_lengths(rod));
   o.knot = knot_type(closed_outside(rod.nodes));
   const double a = scenario.wire.radius, cavity = scenario.cavity.radius;
-  o.density = radial_density(rod, a, cavity, static_cast<Index>(std::ceil(4 * cavity / a)));
-  o.order = order_by_shell(rod, cavity, 2 * a);
+  if (!scenario.cavity.semi_axes) {  // spherical shells in a sphere
+    o.density = radial_density(rod, a, cavity, static_cast<Index>(std::ceil(4 * cavity / a)));
+  }
+  o.order = order_by_shell(rod, scenario.cavity, 2 * a);
   return o;
 }
 

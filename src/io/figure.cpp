@@ -80,14 +80,19 @@ std::string section_ellipses(const Points& nodes, const Eigen::VectorXd& colour,
   return text;
 }
 
-// The great circle across the line of sight of `set view 65,30`.
-std::string cavity_outline(double radius) {
+// Where the wall is seen edge-on along the line of sight of `set view 65,30`: an ellipsoid is a
+// sphere of radius 1 along its axes, and turns that circle to one across the shrunk line.
+std::string cavity_outline(const Cavity& cavity) {
   const double tilt = 65 * pi / 180, turn = 30 * pi / 180;
   const Vec3 right(std::cos(turn), std::sin(turn), 0);
   const Vec3 up(-std::sin(turn) * std::cos(tilt), std::cos(turn) * std::cos(tilt), std::sin(tilt));
+  const Vec3 axes = semi_axes_of(cavity);
+  const Vec3 sight = right.cross(up).cwiseQuotient(axes).normalized();
+  const Vec3 first = sight.cross(up).normalized(), second = sight.cross(first);
   std::string text = "$cavity << EOD\n";
   for (int k = 0; k <= 120; ++k) {
-    const Vec3 r = radius * (std::cos(pi * k / 60) * right + std::sin(pi * k / 60) * up);
+    const Vec3 r =
+        axes.cwiseProduct(std::cos(pi * k / 60) * first + std::sin(pi * k / 60) * second);
     text += fmt::format("{:.4f} {:.4f} {:.4f}\n", r.x(), r.y(), r.z());
   }
   return text + "EOD\n";
@@ -97,7 +102,8 @@ std::string cavity_outline(double radius) {
 
 void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame) {
-  const double radius = scenario.cavity.radius;
+  const Vec3 axes = semi_axes_of(scenario.cavity);
+  const double radius = axes.maxCoeff();
   const Eigen::VectorXd colour = scaled_bend_energy(scenario, frame);
   const Index parts = smooth_parts(frame.rod.node_count());
   const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
@@ -106,7 +112,7 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
       "set xrange " +
       range + "\nset yrange " + range + "\nset zrange " + range + "\n" + colour_range(colour) +
       colours + "set pm3d depthorder lighting primary 0.45 specular 0.25\n" +
-      cavity_outline(radius) +
+      cavity_outline(scenario.cavity) +
       "splot 'packing.dat' using 1:2:3:4 with pm3d, $cavity with lines lw 0.7 lc rgb '#999999'\n";
   draw_with_gnuplot(folder, "packing",
                     tube(smooth_line(frame.rod.nodes, colour, parts), scenario.wire.radius),
@@ -115,7 +121,8 @@ void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
 
 void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
                   const PackingFrame& frame) {
-  const double radius = scenario.cavity.radius;
+  const Vec3 axes = semi_axes_of(scenario.cavity);
+  const double radius = axes.maxCoeff();
   const Eigen::VectorXd colour = scaled_bend_energy(scenario, frame);
   const std::string range = fmt::format("[{0}:{1}]", -1.03 * radius, 1.03 * radius);
   const std::string commands =
@@ -123,7 +130,9 @@ void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
       "set rmargin at screen 0.95\nset bmargin at screen 0.14\nset tmargin at screen 0.98\n"
       "set xrange " +
       range + "\nset yrange " + range + "\n" + colour_range(colour) + colours +
-      fmt::format("set object 1 circle at 0,0 size {} fs empty border lc rgb '#999999'\n", radius) +
+      fmt::format(
+          "set object 1 ellipse at 0,0 size {},{} units xy fs empty border lc rgb '#999999'\n",
+          2 * axes.x(), 2 * axes.z()) +
       "plot 'section.dat' using 1:2:3:4:5:6 with ellipses units xx fs solid 1 border lc rgb "
       "'#444444' "
       "fc palette\n";

@@ -77,7 +77,7 @@ std::vector<std::int16_t> rounded(const Points& nodes, double quantum) {
 Json frame_json(const Scenario& scenario, const PackingFrame& frame) {
   const double farthest = frame.rod.nodes.cwiseAbs().maxCoeff();
   if (!std::isfinite(farthest)) throw FileError("a frame has positions that are no numbers");
-  const double quantum = std::max(farthest, scenario.cavity.radius) / 32767;
+  const double quantum = std::max(farthest, semi_axes_of(scenario.cavity).maxCoeff()) / 32767;
   Json json;
   json["increment"] = frame.increment;
   json["nodes"] = frame.rod.node_count();
@@ -188,6 +188,8 @@ std::string view_data(const std::filesystem::path& result, std::size_t most_fram
   json["method"] = scenario.method == Method::dynamic ? "in time" : "quasi-static";
   json["wire_radius"] = scenario.wire.radius;
   json["cavity_radius"] = scenario.cavity.radius;
+  const Vec3 semi_axes = semi_axes_of(scenario.cavity);
+  json["semi_axes"] = {semi_axes.x(), semi_axes.y(), semi_axes.z()};
   json["saved_frames"] = frames.size();
   json["position_differences"] = position_differences;
   add_frames(json, reader, scenario, spread(frames, most_frames));

@@ -19,8 +19,8 @@ struct Nozzle {
   TwistCondition twist = TwistCondition::free;
 };
 
-/// The nozzle at the pole of the z axis, where a clamped node just touches the wall, at (0, 0, R - a)
-/// in a sphere, along the inward normal.
+/// The nozzle at the pole of the z axis, along the inward normal, where a clamped node just touches
+/// the wall: in a sphere at (0, 0, R - a).
 Nozzle polar_nozzle(const Cavity& cavity, double wire_radius, TwistCondition twist);
 
 /// What the nozzle holds: the node at the clamp, and the rotation of its frame when locked.

@@ -35,7 +35,8 @@ std::string beam(Index edge, Index edges) {
 
 std::string model(const ExportSource& source) {
   const Points& nodes = source.frames.back().rod.nodes;
-  const double a = source.scenario.wire.radius, shift = source.scenario.cavity.radius;
+  const double a = source.scenario.wire.radius,
+               shift = semi_axes_of(source.scenario.cavity).maxCoeff();
   std::string text =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<model unit=\"millimeter\" xml:lang=\"en-US\" requiredextensions=\"b\" "

@@ -29,7 +29,8 @@ struct Grid {
 };
 
 Grid grid_of(const ExportSource& source) {
-  const double a = source.scenario.wire.radius, radius = source.scenario.cavity.radius;
+  const double a = source.scenario.wire.radius;
+  const double radius = semi_axes_of(source.scenario.cavity).maxCoeff();
   const double wanted = source.voxel_size.value_or(std::max(a / 4, radius / 128));
   const double count = std::ceil(2 * radius / wanted * (1 - 1e-12));
   if (!(wanted <= 2 * radius && count <= static_cast<double>(most_voxels))) {

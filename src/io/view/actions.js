@@ -72,7 +72,7 @@ function set_cut(on) {
 
 function move_cut(to, moving = true) {
   state.cut = true;
-  state.cut_at = Math.min(cavity_radius, Math.max(-cavity_radius, to));
+  state.cut_at = Math.min(cavity_reach, Math.max(-cavity_reach, to));
   show_cut(moving);
 }
 

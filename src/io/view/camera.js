@@ -29,6 +29,9 @@ function matrix([w, x, y, z]) {
 
 const turned = (rows, v) => rows.map((row) => row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
 
+// T diag(d) T^t: the quadric d_x x^2 + d_y y^2 + d_z z^2 = 1 as the viewer sees it.
+const turned_quadric = (rows, d) => rows.map((row) => turned(rows, row.map((t, k) => t * d[k])));
+
 // The feed axis z points up; y away from the viewer, x to the right.
 const along_y = turn_about([1, 0, 0], -Math.PI / 2);
 const standard_views = {

@@ -1,5 +1,5 @@
 // What the wire can be coloured by: the fields of the file, and the arc length.
-const wire_radius = run.wire_radius, cavity_radius = run.cavity_radius;
+const wire_radius = run.wire_radius, cavity_reach = Math.max(...run.semi_axes);
 
 // From the tip, which entered first, over the wire's radius.
 function arc_lengths(xyz) {

@@ -5,7 +5,8 @@ precision highp float;
 precision highp sampler2D;
 uniform sampler2D colours, normals, depths;
 uniform vec2 pan, half_size, jitter;
-uniform float depth, radius, cavity;
+uniform float depth, radius, cavity;  // cavity: its longest semi-axis
+uniform mat3 wall;          // the cavity: p.wall p = 1
 uniform float pixel;        // its size, in units of length
 uniform float line;         // width of the cavity's lines in pixels
 uniform float sample_turn;  // of the pattern of occlusion samples
@@ -59,6 +60,18 @@ float stroke(float off, float width) {
   return 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, abs(off));
 }
 
+// The wall is p.wall p = 1. A line of sight through a place meets it at two depths; the square of
+// half their distance over that at the middle of a sphere: 1 where the wall faces the viewer, 0 on
+// its outline.
+float facing_squared(vec2 place) {
+  float across = dot(wall[2].xy, place);
+  float flat_part = dot(place, mat2(wall) * place);
+  return 1.0 - flat_part + across * across / wall[2].z;
+}
+vec2 facing_squared_slope(vec2 place) {
+  return 2.0 * (wall[2].xy * dot(wall[2].xy, place) / wall[2].z - mat2(wall) * place);
+}
+
 void main() {
   vec4 seen = texture(colours, at);
   vec2 place = (2.0 * at - 1.0 - jitter) * half_size + pan;
@@ -73,16 +86,18 @@ void main() {
     result = vec4(lit(seen.rgb, normalize(2.0 * normal.xyz - 1.0), point), 1);
   }
   if (!outline) return;
-  float rho = length(place), cover = 0.0;
+  float cover = 0.0;
   if (background) {
-    float facing = sqrt(max(0.0, 1.0 - rho * rho / (cavity * cavity)));
-    cover = rho < cavity ? 0.03 + 0.2 * pow(1.0 - facing, 3.0) : 0.0;
-    cover = max(cover, 0.6 * stroke((rho - cavity) / pixel, line));
+    float inside = facing_squared(place);
+    cover = inside > 0.0 ? 0.03 + 0.2 * pow(1.0 - sqrt(inside), 3.0) : 0.0;
+    vec2 slope = facing_squared_slope(place);
+    cover = max(cover, 0.6 * stroke(inside / (pixel * length(slope) + 1e-12), line));
   }
   if (cut && abs(plane.z) > 1e-3) {
     float z = (plane.w - dot(plane.xy, place)) / plane.z;
-    float steep = length(vec2(place - plane.xy * z / plane.z)) / cavity;
-    float off = (length(vec3(place, z)) - cavity) / (pixel * steep + 1e-6);
+    vec3 rise = 2.0 * wall * vec3(place, z);
+    float steep = length(rise.xy - plane.xy * rise.z / plane.z);
+    float off = (dot(vec3(place, z), rise) / 2.0 - 1.0) / (pixel * steep + 1e-12);
     if (background || z > point.z - 0.05 * radius) cover = max(cover, 0.8 * stroke(off, line));
   }
   result = mix(result, vec4(ink, 1), cover);

@@ -17,7 +17,7 @@ function listen_to_controls() {
   on('map', 'change', (t) => { state.map = t.value; show_colours(); });
   on('cut', 'change', (t) => set_cut(t.checked));
   on('cut_axis', 'change', (t) => { state.cut = true; set_cut_axis(t.value); });
-  on('cut_at', 'input', (t) => move_cut(Number(t.value) * cavity_radius));
+  on('cut_at', 'input', (t) => move_cut(Number(t.value) * cavity_reach));
   on('flip', 'click', flip_cut);
   on('face', 'click', look_at_cut);
   on('section', 'change', (t) => { state.section = t.checked; show_cut(); });

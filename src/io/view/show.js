@@ -56,7 +56,7 @@ function cut_text() {
 function show_cut(moving = false) {
   element('cut').checked = state.cut;
   element('cut_axis').value = state.cut_axis;
-  element('cut_at').value = state.cut_at / cavity_radius;
+  element('cut_at').value = state.cut_at / cavity_reach;
   element('cut_at').setAttribute('aria-valuetext', cut_text());
   element('cut_text').textContent = state.cut ? cut_text() : 'off';
   element('section').checked = state.section;

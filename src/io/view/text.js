@@ -13,11 +13,17 @@ function put(parent, name, text, attributes = {}) {
   return child;
 }
 
+function cavity_text() {
+  const lengths = run.semi_axes.map((e) => shown(e / wire_radius));
+  const is_sphere = run.semi_axes.every((e) => e === cavity_reach);
+  return is_sphere ? `R = ${lengths[0]} a` : `semi-axes ${lengths.join(', ')} a`;
+}
+
 function write_heading() {
   document.title = run.name + ' – wirepack';
   element('name').textContent = run.name;
   element('about').textContent =
-      `${run.setup}, ${run.method}, R = ${shown(cavity_radius / wire_radius)} a, ` +
+      `${run.setup}, ${run.method}, ${cavity_text()}, ` +
       `φ to ${shown(past.density.values.at(-1))}`;
 }
 

@@ -15,7 +15,7 @@ const painter = {
 };
 
 // Units of length from the middle of the picture to its nearer side.
-const half_side = () => 1.08 * cavity_radius / state.zoom;
+const half_side = () => 1.08 * cavity_reach / state.zoom;
 
 function length_per_pixel() {
   return 2 * half_side() / Math.min(stage.clientWidth, stage.clientHeight);
@@ -34,7 +34,8 @@ function current_view(width, height) {
   const side = state.cut_side;
   return {
     turn, pan: state.pan, half_size: [width * pixel / 2, height * pixel / 2],
-    depth: 1.1 * cavity_radius + 4 * wire_radius,
+    depth: 1.1 * cavity_reach + 4 * wire_radius,
+    wall: turned_quadric(turn, run.semi_axes.map((e) => 1 / e ** 2)),
     cut: state.cut, section: state.cut && state.section,
     plane: [...turned(turn, state.cut_normal).map((c) => side * c), side * state.cut_at],
     line: 1.4 * length_per_pixel(), outline: state.outline, ink: ink(),

@@ -13,7 +13,7 @@ TEST(ShellOrder, sees_a_ring_at_the_wall_as_a_quarter_and_a_straight_core_as_one
   nodes.rightCols(40) = testing::centred_strand(Vec3::Zero(), Vec3::UnitZ(), 0.1, 39);
   RodState state;
   state.nodes = nodes;
-  const std::vector<ShellOrder> shells = order_by_shell(state, 10, 2.5);
+  const std::vector<ShellOrder> shells = order_by_shell(state, Cavity{10}, 2.5);
   ASSERT_EQ(shells.size(), 4U);
   EXPECT_EQ(shells[0].outer, 10);
   EXPECT_EQ(shells[3].inner, 0);
