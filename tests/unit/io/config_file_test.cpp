@@ -257,6 +257,28 @@ TEST(ConfigFile, overrides_may_have_blanks_and_words_that_were_meant_as_numbers_
   EXPECT_EQ(hint("dense").find("write"), std::string::npos);
 }
 
+TEST(ConfigFile, an_ellipsoid_has_semi_axes_in_place_of_a_radius) {
+  const std::string text = "[cavity]\nshape = 'ellipsoid'\nsemi_axes = [12, 10, 9.0]\n";
+  const Scenario scenario = parsed(text);
+  EXPECT_EQ(*scenario.cavity.semi_axes, Vec3(12, 10, 9));
+  EXPECT_NEAR(scenario.cavity.radius, std::cbrt(12.0 * 10 * 9), 1e-13);
+  EXPECT_NEAR(scenario.wire.edge_length, scenario.cavity.radius / 10, 1e-13);
+  const Scenario again = parsed(resolved_config(scenario));
+  EXPECT_EQ(*again.cavity.semi_axes, *scenario.cavity.semi_axes);
+  EXPECT_EQ(again.cavity.radius, scenario.cavity.radius);
+  const auto refused = [](const std::string& keys, const std::string& part) {
+    EXPECT_NE(message_of("[cavity]\n" + keys).find(part), std::string::npos) << keys;
+  };
+  refused("semi_axes = [1, 1, 1]", "is for cavity.shape = \"ellipsoid\"");
+  refused("shape = 'ellipsoid'", "needs cavity.semi_axes = [x, y, z]");
+  refused("shape = 'ellipsoid'\nradius = 3\nsemi_axes = [9, 9, 9]", "semi_axes in its place");
+  refused("shape = 'ellipsoid'\nsemi_axes = [9, 9]", "three finite numbers");
+  refused("shape = 'ellipsoid'\nsemi_axes = [9, 9, 4]", "no less than twice wire.radius = 1");
+  refused("shape = 'ellipsoid'\nsemi_axes = [9, 9, -9]", "positive and finite");
+  refused("shape = 'ellipsoid'\nsemi_axes = [5, 5, 5]\n[wire]\nedge_length = 2.1",
+          "must be at most half of the shortest of cavity.semi_axes - wire.radius, 2");
+}
+
 TEST(ConfigFile, all_differences_of_a_continuation_are_named_those_of_the_users_keys_first) {
   const Scenario was = parsed("[cavity]\nradius = 5\n");
   const Scenario now = parsed("[cavity]\nradius = 8\n");
