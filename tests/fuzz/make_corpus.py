@@ -31,6 +31,8 @@ def main(sources, program, folder):
         (folder / kind).mkdir(parents=True, exist_ok=True)
     for scenario in (sources / "data/scenarios").glob("*.toml"):
         shutil.copy(scenario, folder / "config")
+    for found in (sources / "tests/fuzz/found").glob("*/*"):
+        shutil.copy(found, folder / found.parent.name)
     for name, text in POINTS.items():
         (folder / "points" / name).write_text(text)
     (folder / "shape/shape.toml").write_text("[shape]\nk0 = [[0, 0, 0.1, 0], [1, 0, 0.1, 0]]\n")
