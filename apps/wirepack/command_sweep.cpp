@@ -112,9 +112,23 @@ int execute(const Options& options, const Survey& tasks, const std::vector<std::
   return finish(!code, survey(folder));
 }
 
+void require_fitting(const Options& options) {
+  const bool parallel =
+      options.emit ? options.emit == SweepEngine::parallel : options.executor == Executor::parallel;
+  if (!options.script.hosts.empty() && !parallel) {
+    throw InvalidInput("--hosts goes with --executor parallel or --emit parallel");
+  }
+  const bool slots = options.emit == SweepEngine::snakemake ||  // has cores, and HyperQueue workers
+                     options.emit == SweepEngine::hyperqueue;
+  if (options.script.at_once > 0 && slots) {
+    throw InvalidInput("--jobs goes with slurm and parallel; others share out their own cores");
+  }
+}
+
 int sweep(Options options) {
   if (!options.status.empty()) return show_status(options.status, options.page);
   if (!options.collect.empty()) return collect(options.collect);
+  require_fitting(options);
   const Sweep plan = planned(options);
   if (options.dry_run) {
     for (const SweepTask& task : plan.tasks) fmt::print("{}\n", task.name);
@@ -153,9 +167,17 @@ Command sweep_command(CLI::App& program) {
                                           {"slurm", Executor::slurm},
                                           {"parallel", Executor::parallel}}));
   app->add_option("--emit", options->emit, "Only writes what this program needs to run the tasks")
-      ->type_name("slurm|parallel")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, SweepEngine>{
-          {"slurm", SweepEngine::slurm}, {"parallel", SweepEngine::parallel}}));
+      ->type_name("slurm|parallel|snakemake|hyperqueue")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, SweepEngine>{{"slurm", SweepEngine::slurm},
+                                             {"parallel", SweepEngine::parallel},
+                                             {"snakemake", SweepEngine::snakemake},
+                                             {"hyperqueue", SweepEngine::hyperqueue}}));
+  app->add_option("--hosts", options->script.hosts,
+                  "With parallel: hosts to run on by ssh, a line each, as --sshloginfile of GNU "
+                  "parallel has them; they share DIR and have wirepack at the same place")
+      ->type_name("FILE")
+      ->check(CLI::ExistingFile);
   app->add_option("--jobs", options->script.at_once, "Tasks at a time; all processors by default")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));

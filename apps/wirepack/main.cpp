@@ -148,6 +148,9 @@ int main(int count, char** arguments) {
   // (a sixth of the time of a factorization, else spent on fresh pages).
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  // The environment has precedence over what is told to HDF5. Results are replaced as a whole, so
+  // there is nothing to lock, and one that another program has locked would look damaged.
+  unsetenv("HDF5_USE_FILE_LOCKING");
   const int code = wirepack::run_program(count, arguments);
   // HDF5 cannot put away all of a damaged file and says so at length when a program ends; the
   // message of ours is enough.

@@ -89,7 +89,7 @@ void SlipPotential::start(const RodState& state, std::span<const SelfContact> to
         [&](const Vec3& spring) { return wall_anchor(state, params_, cavity_, i, spring); });
   }
   for (const SelfContact& touch : touches) {
-    const auto& [i, j] = touch.edges;
+    const Index i = touch.edges.first, j = touch.edges.second;
     const LineContact& line = touch.line;
     add(touch.edges, touch.force, strand_slip(state, i, line.s, j, line.t, line.separation),
         [&](const Vec3& spring) {

@@ -1,6 +1,8 @@
 #include "wirepack/io/sweep_script.hpp"
 
+#include <array>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "wirepack/core/shell_quoted.hpp"
 
@@ -105,9 +107,65 @@ command -v parallel > /dev/null || {
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 255
 run='"$wirepack" run {}/config.toml -o {}/run.h5 --resume --threads @threads@ --log {}/run.log'
 # Runs that are told to end have ten minutes to save.
-exec parallel --env wirepack --workdir "$PWD" --termseq TERM,600000,KILL,25 @at_once@"$@" \
+exec parallel --env wirepack --workdir "$PWD" --termseq TERM,600000,KILL,25 @at_once@@hosts@"$@" \
   "$run || [ \$? -eq 3 ]" << 'END'
 @tasks@END
+)SCRIPT";
+
+// Snakemake removes the outputs of jobs that fail. A result is none, and a marker is.
+constexpr std::string_view snakemake_script = R"SCRIPT(# Tasks of this folder for Snakemake.
+# Made by `wirepack sweep`:
+#     snakemake -s Snakefile --cores N [--keep-going] [--retries N]
+# It can be run again at any time. A task that is finished has a file `done`.
+workdir: workflow.basedir
+
+
+wirepack = @program_text@
+tasks = """
+@tasks@""".split()
+
+
+rule all:
+    input:
+        expand("{task}/done", task=tasks),
+
+
+rule run:
+    input:
+        "{task}/config.toml",
+    output:
+        touch("{task}/done"),
+    threads: @threads@
+    shell:
+        # 3: no equilibrium, which is a result
+        "{wirepack:q} run {input:q} -o {wildcards.task:q}/run.h5 --resume --threads {threads}"
+        " --log {wildcards.task:q}/run.log || [ $? -eq 3 ]"
+)SCRIPT";
+
+constexpr std::string_view hyperqueue_script = R"SCRIPT(#!/bin/bash
+# Tasks of this folder by HyperQueue. Made by `wirepack sweep`:
+#     bash hyperqueue.sh [options of hq submit, such as --time-request=1h]
+# Server and workers run already and share this folder. It can be submitted again at any time:
+# finished tasks return at once. A task that is finished has a file `done`.
+wirepack=@program@
+tasks=(
+@tasks@)
+
+run_task() {
+  "$wirepack" run "$1/config.toml" -o "$1/run.h5" --resume --threads @threads@ --log "$1/run.log"
+  local code=$?
+  # 3: no equilibrium, which is a result
+  [[ $code == [03] ]] || return "$code"
+  touch "$1/done"
+}
+
+if [[ ${HQ_ENTRY-} ]]; then
+  run_task "$HQ_ENTRY"
+  exit
+fi
+cd "$(dirname "${BASH_SOURCE[0]}")" || exit 5
+exec hq submit --name wirepack --cpus @threads@ --stdout none --stderr none \
+  --each-line <(printf '%s\n' "${tasks[@]}") "$@" -- bash "$PWD/hyperqueue.sh"
 )SCRIPT";
 
 void fill_in(std::string& text, const std::string& name, const std::string& value) {
@@ -117,19 +175,22 @@ void fill_in(std::string& text, const std::string& name, const std::string& valu
   }
 }
 
-/// The file of an engine: name, text, and how it says how many tasks run at once.
+/// The file of an engine.
 struct Script {
   const char* name;
   std::string_view text;
-  std::string at_once;
+  std::string_view at_once;  ///< how it says how many tasks run at once
 };
 
-Script script_of(SweepEngine engine, int at_once) {
-  const bool limited = at_once > 0;
-  return engine == SweepEngine::slurm
-             ? Script{"slurm.sh", slurm_script, limited ? fmt::format("%{}", at_once) : ""}
-             : Script{"parallel.sh", parallel_script,
-                      limited ? fmt::format("--jobs {} ", at_once) : ""};
+// in the order of SweepEngine
+constexpr std::array<Script, 4> scripts{{{"slurm.sh", slurm_script, "%{}"},
+                                         {"parallel.sh", parallel_script, "--jobs {} "},
+                                         {"Snakefile", snakemake_script, ""},
+                                         {"hyperqueue.sh", hyperqueue_script, ""}}};
+
+std::string hosts_option(const std::string& file) {
+  if (file.empty()) return "";
+  return fmt::format("--sshloginfile {} ", shell_quoted(std::filesystem::absolute(file).string()));
 }
 
 }  // namespace
@@ -137,16 +198,19 @@ Script script_of(SweepEngine engine, int at_once) {
 std::filesystem::path write_sweep_script(const std::filesystem::path& folder, SweepEngine engine,
                                          const std::vector<std::string>& tasks,
                                          const SweepScriptOptions& options) {
-  const Script script = script_of(engine, options.at_once);
+  const Script& script = scripts[static_cast<std::size_t>(engine)];
   std::string list;
   for (const std::string& task : tasks) list += task + "\n";  // names need no quotes anywhere
   std::string text(script.text);
   fill_in(text, "threads", std::to_string(options.threads));
   fill_in(text, "tasks_per_job", std::to_string(options.tasks_per_job));
   fill_in(text, "most_restarts", std::to_string(options.most_restarts));
-  fill_in(text, "at_once", script.at_once);
+  fill_in(text, "at_once",
+          options.at_once > 0 ? fmt::format(fmt::runtime(script.at_once), options.at_once) : "");
+  fill_in(text, "hosts", hosts_option(options.hosts));
   fill_in(text, "tasks", list);
   fill_in(text, "program", shell_quoted(options.program));
+  fill_in(text, "program_text", nlohmann::json(options.program).dump());  // as Python has it
   const std::filesystem::path file = folder / script.name;
   replace_file(file, {text.begin(), text.end()});
   return file;

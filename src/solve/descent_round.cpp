@@ -74,6 +74,14 @@ Preconditioner preconditioner_at(const FrameChart& chart, const EnergyTerms& ene
   return std::move(*result);
 }
 
+/// A point of a round, of which the height is known.
+struct KnownPoint {
+  double height = 0;
+  Energy energy;
+  double guard = 0;
+  Eigen::VectorXd step, by_step;
+};
+
 // Height of points above the start of a round. Far apart it is the difference of their energies.
 // Close to a minimum that difference drowns in round-off: it is f^2 / (2 k), f what is left of a
 // force and k the stiffness of a spring, while the energy of all else stays. Between points that
@@ -102,13 +110,7 @@ class Heights {
   double lowest() const { return lowest_ ? lowest_->height : 0; }
 
  private:
-  struct Point {
-    double height = 0;
-    Energy energy;
-    double guard = 0;
-    Eigen::VectorXd step, by_step;
-  };
-  std::optional<Point> lowest_;
+  std::optional<KnownPoint> lowest_;
 };
 
 }  // namespace

@@ -152,11 +152,14 @@ auto TriangularFactor<Entry>::columns_of(int number, const Part& part) -> Column
 template <class Entry>
 void TriangularFactor<Entry>::forward(Part& part) {
   for (const int number : part.fronts) {
-    const auto [w, m, height, columns, x, inverse, row, shared] = columns_of(number, part);
+    const Columns front = columns_of(number, part);
+    const Index w = front.w, m = front.m, height = front.height;
+    const Entry* const columns = front.entry;
+    double* const x = front.x;
     for (Index start = 0; start < w; start += panel_columns) {
       const Index end = std::min(start + panel_columns, w);
       for (Index c = start; c < end; ++c) {
-        x[c] *= inverse[c];
+        x[c] *= front.inverse[c];
         for (Index r = c + 1; r < end; ++r) {
           x[r] -= static_cast<double>(columns[c * height + r]) * x[c];
         }
@@ -167,23 +170,26 @@ void TriangularFactor<Entry>::forward(Part& part) {
     }
     double* const below = part.work.data();
     std::fill_n(below, m, 0.0);
-    for_each_tile(m, row_tile, shared, [&](Index start, Index end) {
+    for_each_tile(m, row_tile, front.shared, [&](Index start, Index end) {
       by_four(0, w, [&]<int K>(Index c) {
         const Entry* const block = columns + c * height + w + start;
         subtract_columns<K>(block, height, end - start, x + c, below + start);
       });
     });
-    for (Index r = 0; r < m; ++r) values_[row[r]] += below[r];
+    for (Index r = 0; r < m; ++r) values_[front.row[r]] += below[r];
   }
 }
 
 template <class Entry>
 void TriangularFactor<Entry>::backward(Part& part) {
   for (auto number = part.fronts.rbegin(); number != part.fronts.rend(); ++number) {
-    const auto [w, m, height, columns, x, inverse, row, shared] = columns_of(*number, part);
+    const Columns front = columns_of(*number, part);
+    const Index w = front.w, m = front.m, height = front.height;
+    const Entry* const columns = front.entry;
+    double* const x = front.x;
     double* const below = part.work.data();
-    for (Index r = 0; r < m; ++r) below[r] = values_[row[r]];
-    for_each_tile(w, column_tile, shared, [&](Index first, Index last) {
+    for (Index r = 0; r < m; ++r) below[r] = values_[front.row[r]];
+    for_each_tile(w, column_tile, front.shared, [&](Index first, Index last) {
       by_four(first, last, [&]<int K>(Index c) {
         subtract_products<K>(columns + c * height + w, height, m, below, x + c);
       });
@@ -199,7 +205,7 @@ void TriangularFactor<Entry>::backward(Part& part) {
         for (Index r = c + 1; r < end; ++r) {
           sum -= static_cast<double>(columns[c * height + r]) * x[r];
         }
-        x[c] = sum * inverse[c];
+        x[c] = sum * front.inverse[c];
       }
     }
   }

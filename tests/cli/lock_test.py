@@ -11,13 +11,7 @@ import unittest
 
 import h5py
 
-from support import ENDLESS, ProgramTest, SMALL_RUN, check_readable, differing
-
-
-class RunTest(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.write("run.toml", SMALL_RUN)
+from support import ENDLESS, RunTest, check_readable
 
 
 class OneWriter(RunTest):
@@ -128,17 +122,6 @@ class Log(RunTest):
 
 
 class Signals(RunTest):
-    def saved(self):
-        with h5py.File(self.folder / "out.h5") as file:
-            return int(file["checkpoint/last"].attrs["increment"])
-
-    def check_goes_on_to_the_same_bits(self):
-        end = ["--set", f"stop.increments={self.saved() + 20}"]
-        for name, more in (("whole.h5", []), ("out.h5", ["--resume"])):
-            code, _, err = self.run_program("run", "run.toml", "-o", name, *end, *more)
-            self.assertEqual(code, 0, err)
-        self.assertEqual(differing(self.folder / "whole.h5", self.folder / "out.h5"), [])
-
     def test_usr1_saves_and_the_run_goes_on(self):
         process = self.run_until(30, "out.h5", *ENDLESS, "--set", "output.frame_every_density=1")
         self.assertLess(self.saved(), 30)
@@ -157,7 +140,6 @@ class Signals(RunTest):
             self.assertEqual(process.returncode, 75, err)
             self.assertGreaterEqual(check_readable(self, self.folder / "out.h5"), 20)
             self.check_goes_on_to_the_same_bits()
-            (self.folder / "whole.h5").unlink()
 
     def test_a_limit_of_processor_time_is_noticed(self):
         code, _, err = self.run_program(

@@ -29,6 +29,24 @@ class UnderParallel(SweepTest):
         self.check_same_bits("whole", "part")
         stops.check()
 
+    def test_hosts_of_a_file_share_the_tasks_over_ssh(self):
+        # in the place of ssh: notes the host, and does here what it is told
+        ssh = self.write(
+            "ssh",
+            f"""#!/bin/bash
+echo "$1" >> {self.folder}/calls
+exec bash -c "${{*:3}}"  # behind HOST --
+""",
+        )
+        ssh.chmod(0o755)
+        self.write("hosts", f"1/{ssh} one\n1/{ssh} other\n")
+        arguments = ["sweep", "plan.toml", "-o", "out", "--executor", "parallel"]
+        code, out, err = self.run_program(*arguments, "--hosts", "hosts", timeout=120)
+        self.assertEqual((code, out), (0, f"# {TASKS} tasks: {TASKS} done\n"), err)
+        calls = (self.folder / "calls").read_text().split()
+        self.assertEqual(set(calls), {"one", "other"})
+        self.assertGreaterEqual(len(calls), TASKS)
+
 
 if __name__ == "__main__":
     if shutil.which("parallel") is None:

@@ -73,6 +73,25 @@ class ProgramTest(unittest.TestCase):
         return sorted(path.name for path in self.folder.iterdir())
 
 
+class RunTest(ProgramTest):
+    """Tests of run.toml, a small run, and its result out.h5."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("run.toml", SMALL_RUN)
+
+    def saved(self):
+        with h5py.File(self.folder / "out.h5") as file:
+            return int(file["checkpoint/last"].attrs["increment"])
+
+    def check_goes_on_to_the_same_bits(self, *arguments):
+        end = ["--set", f"stop.increments={self.saved() + 20}", *arguments]
+        for name, more in (("whole.h5", ["--force"]), ("out.h5", ["--resume"])):
+            code, _, err = self.run_program("run", "run.toml", "-o", name, *end, *more)
+            self.assertEqual(code, 0, err)
+        self.assertEqual(differing(self.folder / "whole.h5", self.folder / "out.h5"), [])
+
+
 def datasets(path):
     """All datasets and attributes that equal runs must share, by name."""
     found = {}

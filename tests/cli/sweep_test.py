@@ -240,6 +240,12 @@ class Tasks(SweepTest):
             (["sweep", "--collect", "nowhere"], "is not the folder of a sweep"),
             (["sweep", "missing.toml", "-o", "out"], "there is no such file"),
             (["sweep", "plan.toml", "-o", "out", "--executor", "pbs"], "pbs"),
+            (["sweep", "plan.toml", "-o", "out", "--hosts", "plan.toml"], "--hosts goes with"),
+            (["sweep", "plan.toml", "-o", "out", "--hosts", "nowhere"], "nowhere"),
+            (
+                ["sweep", "plan.toml", "-o", "out", "--emit", "snakemake", "--jobs", "2"],
+                "--jobs goes with slurm and parallel",
+            ),
         ]:
             code, _, err = self.run_program(*arguments)
             self.assertEqual(code, 2, arguments)
@@ -307,13 +313,23 @@ class TablesOverSeeds(SweepTest):
 
 
 class Emitted(SweepTest):
+    def emit(self, engine, name, *arguments):
+        call = ["sweep", "plan.toml", "-o", "out", "--emit", engine, *arguments]
+        code, out, err = self.run_program(*call)
+        self.assertEqual((code, out), (0, f"out/{name}\n"), err)
+        return self.folder / "out" / name
+
     def test_scripts_are_what_their_interpreters_accept(self):
         self.write("plan.toml", SHORT)
-        for engine, name in [("slurm", "slurm.sh"), ("parallel", "parallel.sh")]:
-            code, out, err = self.run_program("sweep", "plan.toml", "-o", "out", "--emit", engine)
-            self.assertEqual((code, out), (0, f"out/{name}\n"), err)
-            script = self.folder / "out" / name
-            subprocess.run(["bash", "-n", script], check=True)
+        for engine, name in [
+            ("slurm", "slurm.sh"),
+            ("parallel", "parallel.sh"),
+            ("hyperqueue", "hyperqueue.sh"),
+            ("snakemake", "Snakefile"),
+        ]:
+            script = self.emit(engine, name)
+            if name.endswith(".sh"):
+                subprocess.run(["bash", "-n", script], check=True)
             text = script.read_text()
             self.assertEqual(text.count("setup="), 12)
             self.assertNotRegex(text, "@[a-z_]+@")
@@ -387,6 +403,50 @@ class Emitted(SweepTest):
                 self.assertIn(end, err)
                 states = {state for state, _ in self.status("out").values()}
                 self.assertEqual(states, {"waiting"})
+
+    def test_hyperqueue_is_handed_each_task_and_a_task_makes_its_mark_when_it_is_finished(self):
+        self.write("plan.toml", SHORT.replace("radius = [3, 4]", "radius = [3]"))
+        script = self.emit("hyperqueue", "hyperqueue.sh", "--threads", "2")
+        # in the place of the program: does what it is told, each task at once
+        hq = self.write(
+            "hq",
+            """#!/bin/bash
+printf '%s\\n' "$*" > hq.call
+while [[ $1 != --each-line ]]; do shift; done
+mapfile -t entries < "$2"
+while [[ $1 != -- ]]; do shift; done
+for entry in "${entries[@]}"; do HQ_ENTRY=$entry "${@:2}" || exit; done
+""",
+        )
+        hq.chmod(0o755)
+        environment = {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}"}
+        submit = ["bash", script, "--time-request=1h"]
+        subprocess.run(submit, env=environment, check=True, capture_output=True)
+        call = (self.folder / "out/hq.call").read_text()
+        self.assertRegex(call, "^submit .*--cpus 2 .*--time-request=1h -- bash /.*/hyperqueue.sh\n")
+        self.check_marks(6)
+
+    @unittest.skipUnless(shutil.which("snakemake"), "Snakemake is not installed")
+    def test_snakemake_runs_each_task_and_those_that_it_stopped_go_on(self):
+        self.write("plan.toml", SHORT.replace("radius = [3, 4]", "radius = [3]"))
+        script = self.emit("snakemake", "Snakefile")
+        broken = self.folder / "out/setup=low_torsion,radius=3,seed=1/run.h5"
+        broken.write_text("not a result")
+        call = ["snakemake", "-s", script, "--cores", "2", "--keep-going"]
+        self.assertNotEqual(subprocess.run(call, capture_output=True, check=False).returncode, 0)
+        self.check_marks(5)
+        self.assertEqual(broken.read_text(), "not a result")
+        broken.unlink()
+        subprocess.run(call, capture_output=True, check=True)
+        self.check_marks(6)
+        again = subprocess.run([*call, "-n"], capture_output=True, text=True, check=True)
+        self.assertIn("Nothing to be done", again.stdout + again.stderr)
+
+    def check_marks(self, count):
+        marked = {path.parent.name for path in self.folder.glob("out/*/done")}
+        told = self.status("out")
+        self.assertEqual(marked, {name for name, (state, _) in told.items() if state == "done"})
+        self.assertEqual(len(marked), count)
 
     def test_what_is_finished_is_not_in_them(self):
         self.write("plan.toml", SHORT)
