@@ -84,7 +84,9 @@ class BadInput(ProgramTest):
         self.refuse_config("[cavity]\nraduis = 5", "did you mean cavity.radius?")
         self.refuse_config("[cavty]\nradius = 5", "did you mean [cavity]?")
         self.refuse_config("[cavity]\nexcluded_arc_length = 5", "did you mean contact.excluded")
-        self.refuse_config("[cavity]\nqqqqqqqq = 5", "[cavity] has shape, radius, semi_axes, wall_stiffness")
+        self.refuse_config(
+            "[cavity]\nqqqqqqqq = 5", "[cavity] has shape, radius, semi_axes, wall_stiffness"
+        )
 
     def test_friction_and_dynamics_that_cannot_be(self):
         dynamic = '[packing]\nmethod = "dynamic"\n'
