@@ -117,12 +117,12 @@ TEST(ContactSum, ListedTouchesAreThoseOfTheKernelAndChangeNoBit) {
   EXPECT_EQ(listed.energy, plain.energy);
   EXPECT_TRUE((listed.by_node.array() == plain.by_node.array()).all());
   std::size_t expected = 0;
-  for (const auto& [i, j] : list.pairs()) {
-    const auto touch = kernel.touch(line_of(rod, i), line_of(rod, j));
+  for (const EdgePair& pair : list.pairs()) {
+    const auto touch = kernel.touch(line_of(rod, pair.first), line_of(rod, pair.second));
     if (!touch) continue;
     ++expected;
     const auto same = std::find_if(touching.begin(), touching.end(), [&](const SelfContact& c) {
-      return c.edges.first == i && c.edges.second == j;
+      return c.edges.first == pair.first && c.edges.second == pair.second;
     });
     ASSERT_NE(same, touching.end());
     EXPECT_NEAR(same->line.s, touch->s, 1e-12);
