@@ -112,6 +112,7 @@ class Interpreter {
 
   // A sphere has a radius, an ellipsoid semi-axes.
   void check_cavity() {
+    if (given("cavity.shape") != nullptr && value_of("cavity.shape") == nullptr) return;
     if (word_of("cavity.shape") != "ellipsoid") {
       complain_about("cavity.semi_axes", "is for cavity.shape = \"ellipsoid\"");
       return;

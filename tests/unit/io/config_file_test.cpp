@@ -270,6 +270,8 @@ TEST(ConfigFile, an_ellipsoid_has_semi_axes_in_place_of_a_radius) {
     EXPECT_NE(message_of("[cavity]\n" + keys).find(part), std::string::npos) << keys;
   };
   refused("semi_axes = [1, 1, 1]", "is for cavity.shape = \"ellipsoid\"");
+  EXPECT_EQ(message_of("[cavity]\nshape = 'egg'\nsemi_axes = [9, 9, 9]").find('\n'),
+            std::string::npos);
   refused("shape = 'ellipsoid'", "needs cavity.semi_axes = [x, y, z]");
   refused("shape = 'ellipsoid'\nradius = 3\nsemi_axes = [9, 9, 9]", "semi_axes in its place");
   refused("shape = 'ellipsoid'\nsemi_axes = [9, 9]", "three finite numbers");
