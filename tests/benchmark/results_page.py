@@ -104,8 +104,10 @@ def balances(results):
             f"{setup}, R = {radius}",
             f"phi = {result.density[-1]:.3f}, F = {history['scaled_force'][-1]:.2f}",
             f"{len(result.density)}", f"{int(history['evaluations'].sum())}",
-            f"{balance['work']:.3f}", f"{balance['energy']:.3f}", f"{balance['released']:.3f}",
-            f"{balance['remeshing']:.3f}",
+            *(
+                f"{balance[part] / result.energy_unit:.3f}"
+                for part in ("work", "energy", "released", "remeshing")
+            ),
             f"{100 * balance['residue'] / balance['work']:.2f} %",
         ]  # fmt: skip
         lines.append("| " + " | ".join(cells) + " |")
