@@ -25,11 +25,15 @@ for (const [theme, width] of [['dark', 1100], ['light', 1100], ['dark', 480]]) {
   });
 }
 
-test('the colour bar has unit and values', async () => {
+test('the colour bar lies in the picture and has unit and values', async () => {
   const page = await open(holder.browser, 'small.html');
   await drawn(page);
   assert.match(await page.locator('#bar_title').textContent(), /\[YI\/2R²\]/);
   assert.ok((await page.locator('#bar_ticks span').count()) >= 2);
+  const stage = await page.locator('#stage').boundingBox();
+  const bar = await page.locator('#bar').boundingBox();
+  assert.ok(bar.height > 5 && bar.width > 100, JSON.stringify(bar));
+  assert.ok(bar.y > stage.y && bar.y + bar.height < stage.y + stage.height, JSON.stringify(stage));
 });
 
 test('provenance names version, commit, seed, residual, balance and configuration', async () => {
