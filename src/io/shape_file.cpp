@@ -46,10 +46,10 @@ std::string_view name_of(ShapeModel model) {
 
 std::string shape_text(const ShapeFit& fit, const ShapeOrigin& origin) {
   std::string text =
-      "# Stress-free shape of a wire, for wire.reference_shape. k0 = (k1, k2, k3) is its Darboux "
-      "vector by the\n# arc s from the first point, in a frame whose third axis is the tangent; "
-      "linear between rows. k3 > 0 is\n# right-handed. The first point is the tip, which enters a "
-      "cavity first.\n[shape]\n";
+      "# Stress-free shape of a wire, for wire.reference_shape. k0 = (k1, k2, k3) is its Darboux\n"
+      "# vector by the arc s from the first point, in a frame whose third axis is the tangent;\n"
+      "# linear between rows. k3 > 0 is right-handed. The first point is the tip, which enters a\n"
+      "# cavity first.\n[shape]\n";
   const auto line = [&](std::string_view key, const std::string& value) {
     text += fmt::format("{} = {}\n", key, value);
   };
