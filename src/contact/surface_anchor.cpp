@@ -48,10 +48,10 @@ SurfaceAnchor::Slip SurfaceAnchor::slip(const RodState& state, const RodParams& 
     // d|u|^2 / 2 = u.dW - (n.W) W.dn, and W.dn = -u.d(levers) / span
     const double share = 1 + now.map.normal.dot(offset) / span;
     for (SurfaceSlip::EdgePart& part : now.map.edges) part.lever *= share;
-    const Index inlet = state.ends.closed ? -1 : state.edge_count() - 1;
+    const Index inlet = state.edge_count() - 1;
     for (std::size_t k = 0; k < 2; ++k) {
       if (now.map.edges[k].edge != inlet) continue;
-      const Vec3 edge = state.nodes.col(inlet + 1) - state.nodes.col(inlet);
+      const Vec3 edge = state.nodes.col(next_node(state, inlet)) - state.nodes.col(inlet);
       now.by_inlet_length -= now.map.nodes[2 * k + 1].weight / state.inlet_rest_length * edge;
     }
   }

@@ -41,15 +41,13 @@ Inertia lumped_inertia(const RodState& rod, const RodParams& params, double dens
 }
 
 void update_inlet(Inertia& inertia, const RodState& rod, const RodParams& params) {
-  if (rod.ends.closed) return;
-  const Index n = rod.node_count();
-  for (Index i = n - 2; i < n; ++i) {
+  const Index inlet = rod.edge_count() - 1;
+  for (const Index i : {inlet, next_node(rod, inlet)}) {
     inertia.mass[i] = inertia.mass_per_length(params) * node_length(rod, params, i);
     for (Index c = 3 * i; c < 3 * i + 3; ++c) {
       inertia.inverse_mass[c] = changed_inverse(inertia.inverse_mass[c], inertia.mass[i]);
     }
   }
-  const Index inlet = rod.edge_count() - 1;
   inertia.spin[inlet] = spin_per_length(inertia, params) * rod.inlet_rest_length;
   inertia.inverse_spin[inlet] = changed_inverse(inertia.inverse_spin[inlet], inertia.spin[inlet]);
 }

@@ -65,9 +65,7 @@ Energy StretchEnergy::add_gradient(const RodState& state, Gradient& gradient) co
   const double rest = rest_length(state, params_, last);
   const Spring<double> s = spring(triple(edge), rest, stiffness_);
   add(last, s, rest);
-  if (!state.ends.closed) {
-    gradient.inlet_length += stiffness_ * (s.law.energy - s.ratio * s.law.slope);
-  }
+  gradient.inlet_length += stiffness_ * (s.law.energy - s.ratio * s.law.slope);
   add_by_edges(state, by_edge, gradient.node);
   return energy.total();
 }

@@ -2,8 +2,14 @@
 
 namespace wirepack {
 
-Nozzle polar_nozzle(const Cavity& cavity, double wire_radius, TwistCondition twist) {
-  return {Vec3(0, 0, semi_axes_of(cavity).z() - wire_radius), Vec3::UnitZ(), twist};
+Nozzle nozzle_at_wall(const NozzleOptions& options, const Cavity& cavity, double wire_radius) {
+  Nozzle nozzle{Vec3(0, 0, semi_axes_of(cavity).z() - wire_radius), Vec3::UnitZ(), options.twist};
+  if (options.position) {
+    nozzle.position = *options.position;
+    nozzle.direction = outward_normal(cavity, nozzle.position);
+  }
+  if (options.direction) nozzle.direction = -options.direction->normalized();
+  return nozzle;
 }
 
 HeldUnknowns held_by(const Nozzle& nozzle, const RodState& state) {

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <type_traits>
 #include <utility>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/packing/declared_units.hpp"
 
+#include "config_key_kinds.hpp"
+
 namespace wirepack {
+
+using namespace config;
 
 namespace {
 
@@ -27,109 +30,9 @@ constexpr std::array friction_names{std::pair{FrictionModel::none, "none"},
 
 constexpr std::string_view sphere_name = "sphere", ellipsoid_name = "ellipsoid";
 
-// Access to a member of a scenario, or to a member of a member.
-template <class Member>
-auto in(Member Scenario::*member) {
-  return [=](auto& scenario) -> auto& { return scenario.*member; };
-}
-template <class Part, class Member>
-auto in(Part Scenario::*part, Member Part::*member) {
-  return [=](auto& scenario) -> auto& { return scenario.*part.*member; };
-}
-
-ConfigKey named(std::string_view section, std::string_view name) {
-  ConfigKey key;
-  key.section = section;
-  key.name = name;
-  return key;
-}
-
-// A key that stands for one member of the scenario; `access` gives a reference to it.
-template <class Access>
-ConfigKey member(std::string_view section, std::string_view name, Access access) {
-  using Member = std::remove_reference_t<decltype(access(std::declval<Scenario&>()))>;
-  ConfigKey key = named(section, name);
-  if constexpr (std::is_same_v<Member, bool>) {
-    key.type = ConfigType::boolean;
-    key.set = [access](Scenario& s, const ConfigValue& v) { access(s) = std::get<bool>(v); };
-    key.get = [access](const Scenario& s) { return ConfigValue(access(s)); };
-  } else if constexpr (std::is_integral_v<Member>) {
-    key.type = ConfigType::integer;
-    key.smallest = std::is_unsigned_v<Member> ? 0 : std::numeric_limits<int>::min();
-    key.largest = std::is_same_v<Member, int> ? std::numeric_limits<int>::max()
-                                              : std::numeric_limits<std::int64_t>::max();
-    key.set = [access](Scenario& s, const ConfigValue& v) {
-      access(s) = static_cast<Member>(std::get<std::int64_t>(v));
-    };
-    key.get = [access](const Scenario& s) {
-      return ConfigValue(static_cast<std::int64_t>(access(s)));
-    };
-  } else {
-    key.set = [access](Scenario& s, const ConfigValue& v) { access(s) = std::get<double>(v); };
-    key.get = [access](const Scenario& s) { return ConfigValue(access(s)); };
-  }
-  return key;
-}
-
-// A key without a value until it is given.
-template <class Access>
-ConfigKey optional_number(std::string_view section, std::string_view name, Access access) {
-  using Value =
-      typename std::remove_reference_t<decltype(access(std::declval<Scenario&>()))>::value_type;
-  ConfigKey key = named(section, name);
-  key.type = std::is_same_v<Value, double> ? ConfigType::number : ConfigType::integer;
-  key.set = [access](Scenario& s, const ConfigValue& v) { access(s) = std::get<Value>(v); };
-  key.get = [access](const Scenario& s) {
-    const std::optional<Value> value = access(s);
-    return value ? std::optional<ConfigValue>(*value) : std::nullopt;
-  };
-  return key;
-}
-
-ConfigKey may_change(ConfigKey key) {
-  key.may_change = true;
-  return key;
-}
-
-// A number, or the word that leaves it to the program.
-ConfigKey or_auto(ConfigKey key) {
-  key.choices = {"auto"};
-  const auto set = key.set;
-  key.set = [set](Scenario& s, const ConfigValue& v) {
-    if (std::holds_alternative<double>(v)) set(s, v);
-  };
-  const auto get = key.get;
-  key.get = [get](const Scenario& s) {
-    const std::optional<ConfigValue> value = get(s);
-    return value ? *value : ConfigValue(std::string("auto"));
-  };
-  return key;
-}
-
 template <class Access>
 ConfigKey limit(std::string_view name, Access access) {
-  return may_change(optional_number("stop", name, access));
-}
-
-template <class Names, class Access>
-ConfigKey choice(std::string_view section, std::string_view name, const Names& names,
-                 Access access) {
-  ConfigKey key = named(section, name);
-  key.type = ConfigType::choice;
-  for (const auto& [value, text] : names) key.choices.emplace_back(text);
-  key.set = [access, names](Scenario& s, const ConfigValue& v) {
-    for (const auto& [value, text] : names) {
-      if (std::get<std::string>(v) == text) access(s) = value;
-    }
-  };
-  key.get = [access, names](const Scenario& s) {
-    ConfigValue result;
-    for (const auto& [value, text] : names) {
-      if (access(s) == value) result = std::string(text);
-    }
-    return result;
-  };
-  return key;
+  return may_change(optional_value("stop", name, access));
 }
 
 ConfigKey cavity_shape() {
@@ -206,14 +109,6 @@ ConfigKey reference_shape_beyond() {
   return key;
 }
 
-// What only reading goes by: other keys follow from it, and it is never written.
-ConfigKey stand_in(std::string_view section, std::string_view name) {
-  ConfigKey key = named(section, name);
-  key.set = [](Scenario&, const ConfigValue&) {};
-  key.get = [](const Scenario&) -> std::optional<ConfigValue> { return std::nullopt; };
-  return key;
-}
-
 // A name for reports.
 ConfigKey unit(std::string_view name, std::vector<std::string_view> names) {
   ConfigKey key = stand_in("units", name);
@@ -263,7 +158,10 @@ std::vector<ConfigKey> config_keys() {
       cavity_radius(),
       semi_axes(),
       member("cavity", "wall_stiffness", in(&Scenario::wall_stiffness)),
-      choice("nozzle", "twist", twist_names, in(&Scenario::nozzle_twist)),
+      choice("nozzle", "twist", twist_names, in(&Scenario::nozzle, &NozzleOptions::twist)),
+      optional_value("nozzle", "position", in(&Scenario::nozzle, &NozzleOptions::position)),
+      optional_value("nozzle", "direction", in(&Scenario::nozzle, &NozzleOptions::direction)),
+      member("nozzle", "depth", in(&Scenario::nozzle, &NozzleOptions::depth)),
       member("contact", "enabled", in(&Scenario::contact_enabled)),
       member("contact", "stiffness", in(&Scenario::contact, &ContactParams::stiffness)),
       member("contact", "excluded_arc_length",
@@ -288,11 +186,11 @@ std::vector<ConfigKey> config_keys() {
       member("friction", "dynamic", in(&Scenario::friction, &FrictionParams::dynamic_coefficient)),
       member("friction", "slip_tolerance",
              in(&Scenario::friction, &FrictionParams::slip_tolerance)),
-      optional_number("dynamics", "damping", in(&Scenario::dynamics, &DynamicsOptions::damping)),
-      optional_number("dynamics", "insertion_speed",
-                      in(&Scenario::dynamics, &DynamicsOptions::insertion_speed)),
-      or_auto(optional_number("dynamics", "time_step",
-                              in(&Scenario::dynamics, &DynamicsOptions::time_step))),
+      optional_value("dynamics", "damping", in(&Scenario::dynamics, &DynamicsOptions::damping)),
+      optional_value("dynamics", "insertion_speed",
+                     in(&Scenario::dynamics, &DynamicsOptions::insertion_speed)),
+      or_auto(optional_value("dynamics", "time_step",
+                             in(&Scenario::dynamics, &DynamicsOptions::time_step))),
       member("imperfection", "natural_curvature",
              in(&Scenario::imperfection, &ImperfectionOptions::natural_curvature)),
       member("imperfection", "nozzle_offset",

@@ -23,13 +23,18 @@ std::string in_one_cavity(const Scenario& scenario) {
   Scenario same = default_scenario(own.setup, {radius}, 1, 1, own.method);
   same.wire.poisson_ratio = own.wire.poisson_ratio;
   same.wire.stretch_multiplier = own.wire.stretch_multiplier;
+  const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9; };
   // rest curvatures belong to the cavity, as 1 / (2 R) does
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const double scaled = own.wire.rest_darboux[k] * own.cavity.radius;
-    same.wire.rest_darboux[k] = std::round(scaled * 1e9) / 1e9 / radius;
+    same.wire.rest_darboux[k] = rounded(own.wire.rest_darboux[k] * own.cavity.radius) / radius;
   }
   same.wire.reference_shape = own.wire.reference_shape;
-  same.nozzle_twist = own.nozzle_twist;
+  same.nozzle = own.nozzle;
+  // a nozzle at the wall is as far from the centre as the wire's axis gets
+  const double to_one = (radius - 1) / (own.cavity.radius - 1);
+  if (same.nozzle.position)
+    *same.nozzle.position = (to_one * *own.nozzle.position).unaryExpr(rounded);
+  same.nozzle.depth = rounded(to_one * own.nozzle.depth);
   same.contact_enabled = own.contact_enabled;
   same.contact.stiffness = own.contact.stiffness;
   same.wall_stiffness = own.wall_stiffness;

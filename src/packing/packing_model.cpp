@@ -33,7 +33,7 @@ const Scenario& valid(const Scenario& scenario) {
 // A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
 // its frames drop out of the minimization. Friction holds its surface and twists it.
 bool torsion_free(const Scenario& scenario, const RodParams& wire) {
-  return scenario.nozzle_twist == TwistCondition::free && is_straight(wire) &&
+  return scenario.nozzle.twist == TwistCondition::free && is_straight(wire) &&
          scenario.friction.model == FrictionModel::none;
 }
 

@@ -11,6 +11,7 @@
 #include "wirepack/packing/longest_wire.hpp"
 
 #include "cavity_problems.hpp"
+#include "nozzle_problems.hpp"
 #include "scenario_numbers.hpp"
 
 namespace wirepack {
@@ -27,7 +28,7 @@ Scenario default_scenario(Setup setup, const Cavity& cavity, double wire_radius,
   scenario.wire.youngs_modulus = youngs_modulus;
   scenario.wire.edge_length = std::clamp(cavity.radius / 10, wire_radius / 2, 2 * wire_radius);
   if (setup == Setup::high_torsion) {
-    scenario.nozzle_twist = TwistCondition::locked;
+    scenario.nozzle.twist = TwistCondition::locked;
     scenario.wire.rest_darboux = Vec3(0, 1 / (2 * cavity.radius), 0);
     scenario.wire.edge_length = std::clamp(cavity.radius / 20, wire_radius / 2, 2 * wire_radius);
   }
@@ -198,13 +199,16 @@ std::vector<std::string> problems(const Scenario& scenario) {
   require(imperfection.natural_curvature == 0 || scenario.wire.reference_shape.empty(),
           "imperfection.natural_curvature", imperfection.natural_curvature,
           "must be 0 beside wire.reference_shape, which says all about the wire's rest shape");
-  up_to("imperfection.nozzle_offset", imperfection.nozzle_offset,
-        semi_axes_of(scenario.cavity).minCoeff() / (4 * a), "wire radii");
+  const double nozzle_reach = scenario.nozzle.position ? scenario.nozzle.position->norm()
+                                                       : semi_axes_of(scenario.cavity).minCoeff();
+  up_to("imperfection.nozzle_offset", imperfection.nozzle_offset, nozzle_reach / (4 * a),
+        "wire radii");
   up_to("imperfection.nozzle_tilt", imperfection.nozzle_tilt, 0.5, "rad");
   require(positive(scenario.output.frame_every_density), "output.frame_every_density",
           scenario.output.frame_every_density, must_be_positive);
   require(not_negative(scenario.output.checkpoint_every_seconds), "output.checkpoint_every_seconds",
           scenario.output.checkpoint_every_seconds, "must not be negative");
+  check_nozzle(scenario, found);
   if (found.empty()) check_magnitudes(scenario, found);
   return found;
 }

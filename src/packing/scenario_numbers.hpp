@@ -24,6 +24,10 @@ void for_each_number_with_unit(AScenario& scenario, F&& f) {
   if (scenario.cavity.semi_axes) {
     for (auto& e : *scenario.cavity.semi_axes) f("cavity.semi_axes", e, unit.length);
   }
+  if (scenario.nozzle.position) {
+    for (auto& x : *scenario.nozzle.position) f("nozzle.position", x, unit.length);
+  }
+  f("nozzle.depth", scenario.nozzle.depth, unit.length);
   f("cavity.wall_stiffness", scenario.wall_stiffness, unit.modulus);
   f("contact.stiffness", scenario.contact.stiffness, unit.modulus);
   f("contact.excluded_arc_length", scenario.contact.excluded_arc_length, unit.length);

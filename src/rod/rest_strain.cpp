@@ -17,7 +17,11 @@ struct Part {
 Part part_of(const RodState& state, const RodParams& params, Index node) {
   const Index last_node = state.node_count() - 1;
   double arc = static_cast<double>(node) * params.edge_length;
-  if (state.ends.closed) return {arc - params.edge_length / 2, arc + params.edge_length / 2};
+  if (state.ends.closed) {
+    const double before = rest_length(state, params, node > 0 ? node - 1 : last_node) / 2;
+    const double after = rest_length(state, params, node) / 2;
+    return {arc - before, arc + after, node == 0 ? -0.5 : 0, node == last_node ? 0.5 : 0};
+  }
   if (node == last_node) {  // a joint to a clamp, which lies at the very end
     arc += state.inlet_rest_length - params.edge_length;
     return {arc - state.inlet_rest_length / 2, arc, 0.5, 1};

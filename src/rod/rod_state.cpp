@@ -31,8 +31,7 @@ void add_by_edges(const RodState& state, const Points& by_edge, Points& by_node)
 
 double total_rest_length(const RodState& state, const RodParams& params) {
   const auto edges = static_cast<double>(state.edge_count());
-  return state.ends.closed ? edges * params.edge_length
-                           : (edges - 1) * params.edge_length + state.inlet_rest_length;
+  return (edges - 1) * params.edge_length + state.inlet_rest_length;
 }
 
 RodState make_rod(const Points& nodes, const RodParams& params, RodEnds ends) {

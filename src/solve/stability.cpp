@@ -24,14 +24,14 @@ constexpr int lanczos_steps = 40;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-struct Eigenpair {
-  double value;
-  Eigen::VectorXd vector;
-};
+EquilibriumOptions with_small_shift(EquilibriumOptions options) {
+  options.shift *= shift_share;
+  return options;
+}
 
 // Lowest eigenpair of L^-1 H L^-T, P = L L^T, by Lanczos's method with full orthogonalization; the
 // vector is turned back into x = L^-T y.
-Eigenpair lowest_eigenpair(const Sparse& hessian, Preconditioner& preconditioner) {
+CurvatureMode lowest_eigenpair(const Sparse& hessian, Preconditioner& preconditioner) {
   const Index n = hessian.rows();
   const auto count = std::min<Index>(lanczos_steps, n);
   Random random(1);
@@ -57,6 +57,20 @@ Eigenpair lowest_eigenpair(const Sparse& hessian, Preconditioner& preconditioner
   const Eigen::VectorXd lowest = basis.leftCols(used) * solver.eigenvectors().col(0);
   preconditioner.to_step(lowest, x);
   return {solver.eigenvalues()[0], x};
+}
+
+// Of a Hessian with a small shift. Beside very stiff contacts that shift drowns in the rounding of
+// the Gauss-Newton part's pivots; `options` have a larger one.
+CurvatureMode softest_mode(const FrameChart& chart, const Sparse& hessian,
+                           const EnergyTerms& energy, const EquilibriumOptions& options,
+                           SolverWork& work) {
+  const auto gauss_newton_factor = [&](const EquilibriumOptions& shifted) {
+    return factored_hessian(chart, shifted_hessian(chart, energy, shifted, 0), shifted, true, work);
+  };
+  auto factor = gauss_newton_factor(with_small_shift(options));
+  if (!factor) factor = gauss_newton_factor(options);
+  if (!factor) throw NumericalFailure("the curvature model is not positive definite");
+  return lowest_eigenpair(hessian, *factor);
 }
 
 // Curvature of the energy along a direction v of the chart, v . H v, by central differences of the
@@ -114,30 +128,35 @@ bool move_down(RodState& state, const HeldUnknowns& held, const EnergyTerms& ene
 
 }  // namespace
 
+Sparse hessian(const FrameChart& chart, const EnergyTerms& energy) {
+  CurvatureModel model(chart, 1);
+  energy.add_curvature(chart.reference(), model);
+  return model.lower_triangle(0, 0);
+}
+
+CurvatureMode softest_mode(const RodState& state, const HeldUnknowns& held,
+                           const EnergyTerms& energy, const EquilibriumOptions& options,
+                           SolverWork& work) {
+  const FrameChart chart(state, held);
+  work.list_builds += energy.prepare(chart.reference());
+  return softest_mode(chart, shifted_hessian(chart, energy, with_small_shift(options), 1), energy,
+                      options, work);
+}
+
 Stability stability_of(const RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                       const EquilibriumOptions& preconditioned, SolverWork& work) {
+                       const EquilibriumOptions& options, SolverWork& work) {
   Stopwatch watch;
-  EquilibriumOptions options = preconditioned;
-  options.shift *= shift_share;
+  const EquilibriumOptions small_shift = with_small_shift(options);
   const FrameChart chart(state, held);
   work.list_builds += energy.prepare(chart.reference());
   Stability result;
-  const Sparse hessian = shifted_hessian(chart, energy, options, 1);
-  auto factor = factored_hessian(chart, hessian, options, false, work);
-  if (!factor) {
-    factor =
-        factored_hessian(chart, shifted_hessian(chart, energy, options, 0), options, true, work);
-    // beside very stiff contacts the small shift drowns in the rounding of the pivots
-    if (!factor) {
-      factor = factored_hessian(chart, shifted_hessian(chart, energy, preconditioned, 0),
-                                preconditioned, true, work);
-    }
-    if (!factor) throw NumericalFailure("the curvature model is not positive definite");
-    const Eigenpair lowest = lowest_eigenpair(hessian, *factor);
-    result.lowest_eigenvalue = lowest.value;
-    result.stable = lowest.value > unstable_below ||
-                    curvature_along(lowest.vector, chart, held, energy) > unstable_below;
-    if (!result.stable) result.direction = lowest.vector;
+  const Sparse exact = shifted_hessian(chart, energy, small_shift, 1);
+  if (!factored_hessian(chart, exact, small_shift, false, work)) {
+    const CurvatureMode softest = softest_mode(chart, exact, energy, options, work);
+    result.lowest_eigenvalue = softest.eigenvalue;
+    result.stable = softest.eigenvalue > unstable_below ||
+                    curvature_along(softest.direction, chart, held, energy) > unstable_below;
+    if (!result.stable) result.direction = softest.direction;
   }
   watch.lap(work.stability_seconds);
   return result;

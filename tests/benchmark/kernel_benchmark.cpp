@@ -84,7 +84,7 @@ struct Descent {
     if (torsion == Torsion::free) {
       const Scenario high = default_scenario(Setup::high_torsion, scenario.cavity);
       scenario.wire.rest_darboux = high.wire.rest_darboux;
-      scenario.nozzle_twist = high.nozzle_twist;
+      scenario.nozzle.twist = high.nozzle.twist;
     }
     return scenario;
   }
@@ -95,7 +95,7 @@ struct Descent {
   }
   static HeldUnknowns held(const Scenario& scenario, const RodState& rod, Torsion torsion) {
     HeldUnknowns result =
-        held_by(polar_nozzle(scenario.cavity, scenario.wire.radius, scenario.nozzle_twist), rod);
+        held_by(nozzle_at_wall(scenario.nozzle, scenario.cavity, scenario.wire.radius), rod);
     if (torsion == Torsion::free) return result;
     result.angle.assign(result.angle.size(), true);
     result.frames_follow = false;

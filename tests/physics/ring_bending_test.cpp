@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/bent_ring.hpp"
+#include "../support/strands.hpp"
 
 namespace wirepack {
 namespace {
@@ -53,6 +54,26 @@ TEST(RingBending, CantileverIntoCircleOfMujocoClosesToSecondOrder) {
   // 2 pi (2 pi / N)^2 / 3, which moves the tip by that times L / (2 pi)
   const double gap = std::pow(2 * pi / 40, 2) / 3;
   EXPECT_NEAR(state.nodes.col(40).norm(), gap, 0.1 * gap);
+}
+
+// E = YI (2 pi / L)^2 L / 2, so a longer ring costs less.
+TEST(RingBending, a_closed_ring_that_grows_gives_its_bending_energy_back) {
+  constexpr Index edges = 100;
+  RodParams params;
+  params.stretch_multiplier = 1000;
+  RodState ring =
+      make_rod(testing::ring_nodes(edges / (2 * pi), edges), params, RodEnds{.closed = true});
+  const StretchEnergy stretch(params);
+  const JointEnergy joints(params);
+  const double bend = stiffness(params).bend;
+  const double energy = 2 * pi * pi * bend / edges, force = -energy / edges;
+  const EquilibriumReport found =
+      solve_equilibrium(ring, HeldUnknowns::none(ring), {stretch, joints},
+                        equilibrium_options(bend, edges, 1e-5 * std::abs(force)));
+  ASSERT_EQ(found.end, EquilibriumEnd::converged);
+  const double second_order = std::pow(2 * pi / edges, 2);
+  EXPECT_NEAR(found.energy, energy, second_order * energy);
+  EXPECT_NEAR(found.inlet_length_force, force, second_order * std::abs(force));
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ inline Scenario scaled_scenario(Scenario scenario, double length, double modulus
   }
   scenario.density *= density;
   scenario.cavity.radius *= length;
+  if (scenario.cavity.semi_axes) *scenario.cavity.semi_axes *= length;
+  if (scenario.nozzle.position) *scenario.nozzle.position *= length;
+  scenario.nozzle.depth *= length;
   scenario.wall_stiffness *= modulus;
   scenario.contact.stiffness *= modulus;
   scenario.contact.excluded_arc_length *= length;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "wirepack/contact/cavity.hpp"
 #include "wirepack/core/types.hpp"
 #include "wirepack/rod/frame_chart.hpp"
@@ -19,9 +21,19 @@ struct Nozzle {
   TwistCondition twist = TwistCondition::free;
 };
 
-/// The nozzle at the pole of the z axis, along the inward normal, where a clamped node just touches
-/// the wall: in a sphere at (0, 0, R - a).
-Nozzle polar_nozzle(const Cavity& cavity, double wire_radius, TwistCondition twist);
+/// Where a nozzle is and points to. What is not set is that of a nozzle at the pole of the z axis,
+/// along the inward normal, where a clamped node just touches the wall: in a sphere at (0, 0, R - a).
+struct NozzleOptions {
+  TwistCondition twist = TwistCondition::free;
+  std::optional<Vec3> position = std::nullopt;  ///< where it enters the cavity [length]
+  std::optional<Vec3> direction =
+      std::nullopt;  ///< in which it feeds, of any length; of the inward normal there
+  double depth = 0;  ///< how far it goes on from there, into the cavity [length]
+};
+
+/// Its clamp is at `position`: the depth is left out. The position is one at which a wire of this
+/// radius fits into the cavity.
+Nozzle nozzle_at_wall(const NozzleOptions& options, const Cavity& cavity, double wire_radius);
 
 /// What the nozzle holds: the node at the clamp, and the rotation of its frame when locked.
 HeldUnknowns held_by(const Nozzle& nozzle, const RodState& state);

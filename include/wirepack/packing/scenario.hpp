@@ -48,7 +48,7 @@ struct DynamicsOptions {
 struct ImperfectionOptions {
   double natural_curvature = 0;  ///< rest curvature of the wire, over 1 / R
   double nozzle_offset = 0;      ///< of the nozzle along the wall, over the wire radius
-  double nozzle_tilt = 0;        ///< between the nozzle and the axis of the sphere [rad]
+  double nozzle_tilt = 0;        ///< between the nozzle and its direction [rad]
 };
 
 enum class Setup { low_torsion, high_torsion };
@@ -64,7 +64,7 @@ struct Scenario {
   double density = 1;  ///< rho of the wire, for runs with inertia [mass / length^3]
   Cavity cavity;
   double wall_stiffness = 5;  ///< force per length of wire and per overlap [force / length^2]
-  TwistCondition nozzle_twist = TwistCondition::free;
+  NozzleOptions nozzle;
   bool contact_enabled = true;
   ContactParams contact;
   InsertionOptions insertion;

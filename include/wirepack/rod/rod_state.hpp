@@ -25,7 +25,8 @@ struct RodState {
   Points nodes;                     ///< 3 x N
   std::vector<Quat> frames;         ///< E edge frames, then the clamp frames
   std::vector<double> twist_guide;  ///< N; twist of the joint at each node to within half a turn
-  double inlet_rest_length = 0;     ///< of the last edge of an open rod, which grows as wire enters
+  double inlet_rest_length = 0;     ///< of the last edge, which grows as wire enters; that of a
+                                    ///< closed rod joins the last node to the first
 
   Index node_count() const { return nodes.cols(); }
   Index edge_count() const { return ends.closed ? nodes.cols() : nodes.cols() - 1; }
@@ -61,8 +62,7 @@ inline Index next_node(const RodState& state, Index edge) {
 
 /// Rest length of an edge.
 inline double rest_length(const RodState& state, const RodParams& params, Index edge) {
-  const bool inlet = !state.ends.closed && edge == state.edge_count() - 1;
-  return inlet ? state.inlet_rest_length : params.edge_length;
+  return edge == state.edge_count() - 1 ? state.inlet_rest_length : params.edge_length;
 }
 
 /// Half the rest lengths of the edges that meet at a node: the length its joint, mass and wall
@@ -79,7 +79,8 @@ inline double node_length(const RodState& state, const RodParams& params, Index 
 
 /// d(node_length)/d(inlet_rest_length).
 inline double node_length_by_inlet(const RodState& state, Index node) {
-  return !state.ends.closed && node + 2 >= state.node_count() ? 0.5 : 0.0;
+  const Index last = state.edge_count() - 1;
+  return node == last || node == next_node(state, last) ? 0.5 : 0.0;
 }
 
 /// Adds a derivative by the edge vectors (3 x E) to one by the nodes (3 x N).

@@ -4,9 +4,23 @@
 
 namespace wirepack {
 
-/// Curvature of an energy at an equilibrium. The lowest eigenvalue is that of the Hessian against
-/// its Gauss-Newton part, H v = lambda P v, so it has no unit: under a load of (1 + e) times the
-/// buckling load it is about -e.
+/// Hessian of an energy at the chart's reference, by the unknowns of the chart: its lower triangle.
+/// As far as the terms know it (see EnergyTerm).
+Eigen::SparseMatrix<double> hessian(const FrameChart& chart, const EnergyTerms& energy);
+
+/// Softest way for a wire to move.
+struct CurvatureMode {
+  double eigenvalue;
+  Eigen::VectorXd direction;  ///< by the unknowns of a FrameChart of the state
+};
+
+/// Lowest eigenvalue of the Hessian against its Gauss-Newton part, H v = lambda P v, by Lanczos's
+/// method. It has no unit: under a load of (1 - e) times the buckling load it is about e.
+CurvatureMode softest_mode(const RodState& state, const HeldUnknowns& held,
+                           const EnergyTerms& energy, const EquilibriumOptions& options,
+                           SolverWork& work);
+
+/// Whether an equilibrium is a minimum. The eigenvalue is that of the softest mode.
 struct Stability {
   bool stable = true;
   double lowest_eigenvalue = 0;  ///< computed only where the Hessian is not positive definite
@@ -18,7 +32,7 @@ struct Stability {
 inline constexpr int most_saddles = 6;
 
 /// Tells a minimum from a saddle: one factorization of the exact Hessian, and where that meets a
-/// pivot that is not positive, the lowest eigenvalue by Lanczos's method.
+/// pivot that is not positive, the softest mode.
 Stability stability_of(const RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
                        const EquilibriumOptions& options, SolverWork& work);
 

@@ -70,11 +70,17 @@ TEST(EnergyGradient, BendAndTwistOfAClosedRingMatchDifferences) {
     nodes.col(i) =
         Vec3(2.5 * std::cos(angle), 2.5 * std::sin(angle), 0) + 0.1 * random_vector(random);
   }
-  const RodState state = make_rod(nodes, params, RodEnds{.closed = true});
+  RodState state = make_rod(nodes, params, RodEnds{.closed = true});
+  state.inlet_rest_length = 1.3;
   JointEnergy joints(params);
   StretchEnergy stretch(params);
-  expect_exact_gradient(state, joints);
-  expect_exact_gradient(state, stretch);
+  WallEnergy wall(params, {2}, 5);
+  for (const EnergyTermRef term :
+       {EnergyTermRef(joints), EnergyTermRef(stretch), EnergyTermRef(wall)}) {
+    EnergyTerms energy{term};
+    expect_exact_gradient(state, energy);
+    expect_exact_inlet_derivative(state, energy);
+  }
 }
 
 TEST(EnergyGradient, WallMatchesDifferences) {

@@ -110,7 +110,7 @@ TEST(JointGradient, OfTangentsAloneIsThatOfFramesWithoutTwist) {
     EXPECT_GT(energy, 0.1);
     EXPECT_NEAR(of_frames.add_gradient(state, by_frames), energy, 1e-13 * energy);
     EXPECT_NEAR(by_tangents.inlet_length, by_frames.inlet_length, 1e-13 * energy);
-    EXPECT_EQ(by_tangents.inlet_length == 0, ends.closed);
+    EXPECT_NE(by_tangents.inlet_length, 0);
     Eigen::VectorXd x_tangents, x_frames;
     chart.pull_back(state, by_tangents.node, by_tangents.frame, x_tangents);
     chart.pull_back(state, by_frames.node, by_frames.frame, x_frames);

@@ -32,10 +32,10 @@ TEST(ConfigFile, radius_alone_gives_the_run_of_the_paper) {
 
 TEST(ConfigFile, setup_sets_twist_and_precurvature_unless_they_are_given) {
   const std::string high = "[packing]\nsetup = 'high_torsion'\n[cavity]\nradius = 8\n";
-  EXPECT_EQ(parsed(high).nozzle_twist, TwistCondition::locked);
+  EXPECT_EQ(parsed(high).nozzle.twist, TwistCondition::locked);
   EXPECT_EQ(parsed(high).wire.rest_darboux, Vec3(0, 1.0 / 16, 0));
   const Scenario given = parsed(high + "[nozzle]\ntwist = 'free'\n[wire]\nprecurvature = 0.01\n");
-  EXPECT_EQ(given.nozzle_twist, TwistCondition::free);
+  EXPECT_EQ(given.nozzle.twist, TwistCondition::free);
   EXPECT_EQ(given.wire.rest_darboux, Vec3(0, 0.01, 0));
 }
 
@@ -78,7 +78,7 @@ TEST(ConfigFile, the_resolved_text_gives_an_equal_scenario) {
   EXPECT_EQ(back.wire.rest_darboux, s.wire.rest_darboux);
   EXPECT_EQ(back.cavity.radius, s.cavity.radius);
   EXPECT_EQ(back.wall_stiffness, s.wall_stiffness);
-  EXPECT_EQ(back.nozzle_twist, s.nozzle_twist);
+  EXPECT_EQ(back.nozzle.twist, s.nozzle.twist);
   EXPECT_EQ(back.contact_enabled, s.contact_enabled);
   EXPECT_EQ(back.contact.stiffness, s.contact.stiffness);
   EXPECT_EQ(back.contact.excluded_arc_length, s.contact.excluded_arc_length);
@@ -103,7 +103,7 @@ TEST(ConfigFile, a_reference_shape_is_kept_to_the_last_bit_and_takes_the_place_o
       "[packing]\nsetup = 'high_torsion'\n[wire]\nreference_shape_beyond = 'repeat'\n"
       "reference_shape = [[0, 0.1, 0.2, 0.3], [1.1, 1e-3, -0.25, 0.7]]\n");
   EXPECT_TRUE(s.wire.rest_darboux.isZero());
-  EXPECT_EQ(s.nozzle_twist, TwistCondition::locked);
+  EXPECT_EQ(s.nozzle.twist, TwistCondition::locked);
   Scenario odd = s;
   odd.wire.reference_shape.table =
       DarbouxTable({{0, Vec3(1.0 / 3, -1e-300 / 7, 0.1 + 0.2)}, {22.0 / 7, Vec3::Zero()}});
@@ -279,6 +279,21 @@ TEST(ConfigFile, an_ellipsoid_has_semi_axes_in_place_of_a_radius) {
   refused("shape = 'ellipsoid'\nsemi_axes = [9, 9, -9]", "positive and finite");
   refused("shape = 'ellipsoid'\nsemi_axes = [5, 5, 5]\n[wire]\nedge_length = 2.1",
           "must be at most half of the shortest of cavity.semi_axes - wire.radius, 2");
+}
+
+TEST(ConfigFile, a_nozzle_may_be_elsewhere_and_point_elsewhere) {
+  const std::string text =
+      "[nozzle]\nposition = [0, 8, 0]\ndirection = [0.5, -1, 0]\ndepth = 0.25\n";
+  const NozzleOptions nozzle = parsed(text).nozzle;
+  EXPECT_EQ(*nozzle.position, Vec3(0, 8, 0));
+  EXPECT_EQ(*nozzle.direction, Vec3(0.5, -1, 0));
+  EXPECT_EQ(nozzle.depth, 0.25);
+  const NozzleOptions again = parsed(resolved_config(parsed(text))).nozzle;
+  EXPECT_EQ(*again.position, *nozzle.position);
+  EXPECT_EQ(*again.direction, *nozzle.direction);
+  EXPECT_EQ(again.depth, nozzle.depth);
+  EXPECT_EQ(resolved_config(parsed("")).find("position"), std::string::npos);
+  EXPECT_NE(message_of("[nozzle]\ndepth = -1\n").find("nozzle.depth = -1"), std::string::npos);
 }
 
 TEST(ConfigFile, all_differences_of_a_continuation_are_named_those_of_the_users_keys_first) {

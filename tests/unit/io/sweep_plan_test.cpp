@@ -40,7 +40,7 @@ TEST(SweepPlan, lists_are_combined_and_the_last_varies_fastest) {
   EXPECT_EQ(last.scenario.seed, 3u);
   EXPECT_EQ(last.scenario.wire.poisson_ratio, 0.25);
   // what depends on a varied key follows it
-  EXPECT_EQ(last.scenario.nozzle_twist, TwistCondition::locked);
+  EXPECT_EQ(last.scenario.nozzle.twist, TwistCondition::locked);
 }
 
 TEST(SweepPlan, ranges_hit_both_ends) {

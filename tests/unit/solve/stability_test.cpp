@@ -66,6 +66,24 @@ TEST(Stability, a_straight_strut_is_a_minimum_up_to_its_buckling_load_and_a_sadd
   }
 }
 
+TEST(Stability, the_softest_mode_of_a_strut_loses_its_stiffness_in_proportion_to_the_load) {
+  for (const double part : {0.5, 0.9, 1.02}) {
+    Strut strut(part);
+    SolverWork work;
+    strut.with_energy([&](const EnergyTerms& energy) {
+      solve_equilibrium(strut.rod, strut.held, energy, strut.options);
+      const CurvatureMode mode = softest_mode(strut.rod, strut.held, energy, strut.options, work);
+      EXPECT_NEAR(mode.eigenvalue, 1 - part, 0.005) << part;
+      // the quotient of the two quadratic forms in that direction
+      const FrameChart chart(strut.rod, strut.held);
+      const Eigen::SparseMatrix<double> exact = hessian(chart, energy);
+      const double along =
+          mode.direction.dot(exact.selfadjointView<Eigen::Lower>() * mode.direction);
+      EXPECT_EQ(along > 0, part < 1);
+    });
+  }
+}
+
 TEST(Stability, a_search_leaves_the_saddle_for_the_buckled_shape) {
   Strut strut(1.05);
   const EquilibriumReport report = strut.with_energy([&](const EnergyTerms& energy) {
