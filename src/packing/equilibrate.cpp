@@ -48,9 +48,9 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
     const auto joined = join_friction(model, before, rod, found.observed);
     if (joined.count > 0) {
       if (repeated || !joined.missed) continue;
-      // Nothing held this contact while it formed, so it slid off and its present force means
-      // nothing. It is held where it formed until its normal force is known, and then as its
-      // friction allows.
+      // No friction acted on this contact while it formed, so it slid off and its present force
+      // means nothing. It is glued where it formed until its normal force is known, and then it
+      // rubs with that force.
       repeated = true;
       rod = fed;
       model.friction.hold_joined(joined.count);

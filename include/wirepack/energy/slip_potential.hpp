@@ -31,10 +31,10 @@ struct SlipWork {
 ///
 /// u the slip of the surfaces at the material points that are in touch when the increment starts.
 /// The normal forces N are those of the start. k = mu_s N / slip tolerance. A contact has e = slip
-/// tolerance, so it is held by up to k e = mu_s N. If it slid by more than the slip tolerance in
-/// the last increment, e = slip tolerance mu_d / mu_s, and it is held by up to mu_d N. Slip beyond
-/// e is dissipated. Slip up to e stays in a spring that the next increment starts with, so a
-/// contact that sticks does not creep.
+/// tolerance, so its friction is k e = mu_s N at most. If it slid by more than the slip tolerance
+/// in the last increment, it has e = slip tolerance mu_d / mu_s, so its friction is mu_d N at most.
+/// Slip beyond e is dissipated. Slip up to e stays in a spring that the next increment starts with,
+/// so a contact that sticks does not creep.
 class SlipPotential {
  public:
   static constexpr std::string_view name = "friction";
@@ -46,17 +46,17 @@ class SlipPotential {
   void start(const RodState& state, std::span<const SelfContact> touches,
              const Eigen::VectorXd& wall_forces, std::span<const SlipMemory> memory);
   /// Adds the contacts that have formed on the way from the start of the increment, `before`, to
-  /// `now`, with their present forces. Each is held from the point of a straight way at which it
+  /// `now`, with their present forces. Each sticks from the point of a straight way at which it
   /// came into touch; from `before` on if its gap was closed there. Contacts handed on between
   /// neighbouring edges are old ones. A contact that has slid by more than `usual_slip` since
-  /// `before` was missed. It is held from `before`, as the straight way says nothing about it.
+  /// `before` was missed. It sticks from `before` on, as the straight way says nothing about it.
   struct Joined {
     Index count = 0;
     bool missed = false;  ///< true for at least one of them
   };
   Joined join(const RodState& before, const RodState& now, std::span<const SelfContact> touches,
               const Eigen::VectorXd& wall_forces, double usual_slip);
-  /// Holds the `count` contacts that joined last without a limit, as if glued.
+  /// Makes the `count` contacts that joined last stick without a limit, as if glued.
   void hold_joined(Index count);
   /// Gives them the limits of friction that their present normal forces set; these are 0 where
   /// they do not touch.
