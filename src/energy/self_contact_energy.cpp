@@ -15,7 +15,7 @@ SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParam
       skin_(params.radius) {}
 
 bool SelfContactEnergy::prepare(const RodState& state) {
-  // the curvature model also asks for what nearly touches
+  // the model of the Hessian also has contacts that nearly touch
   const double margin = nearly_touching * kernel_.touching_distance / 2;
   if (list_.covers(state, margin)) return false;
   std::swap(list_, list_before_);
