@@ -47,8 +47,8 @@ struct LineKernel {
   /// counts as a length 2 a of them.
   static LineKernel per_length(double stiffness, double wire_radius, double edge_length);
 
-  /// Sum of the weights of all pairs, per edge of two parallel strands. Those of a crossing at a
-  /// right angle sum to 1.
+  /// Mean sum of the weights of all pairs, per edge of two parallel strands. Those of a crossing at
+  /// a right angle sum to 1.
   static constexpr double parallel_weight = 2.0 * 11 / 20;
   /// k for lines whose angle has this cos^8.
   template <class T>

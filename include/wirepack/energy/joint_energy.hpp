@@ -27,7 +27,7 @@ class JointEnergy {
   void add_curvature(const RodState& state, CurvatureModel& model) const;
 
  private:
-  /// No torsion and no rest curvature.
+  /// True without torsion and rest curvature.
   bool of_tangents_alone() const;
 
   RodParams params_;
