@@ -16,7 +16,8 @@ namespace {
 // The discretization error of the energy at the inlet edge grows with the cube of the edge's
 // length, so the edge is split early. The force then has nearly the same mean over a cycle as the
 // change of energy. Where moments are linear at the clamp, the force of an inlet edge x l is too
-// low by YI kappa'^2 l^2 x^2 / 4, and that mean by YI kappa'^2 l^2 / 12: they agree at x = 0.58.
+// low by YI kappa'^2 l^2 x^2 / 4. The mean change of energy per length is too low by
+// YI kappa'^2 l^2 / 12, so both agree at x = 0.58.
 constexpr double longest_inlet = 1.1;
 // A short edge that presses on strands can be too stiff for an equilibrium to be found. The split
 // may then wait until the edge is so long.

@@ -7,7 +7,9 @@ namespace wirepack {
 /// Balance of int F dL: work = energy + released + remeshing + friction + contact_springs + viscous
 /// + residue.
 struct WorkBalance {
-  double work = 0;       ///< trapezoidal sum of the explicit force over the inserted length
+  /// Energy of the wire that was inside at the start, plus the trapezoidal sum of the force over
+  /// the inserted length. Runs in time add the work of the viscous medium.
+  double work = 0;
   double released = 0;   ///< lost in snaps
   double remeshing = 0;  ///< energy that splits of the inlet edge have taken away (may be < 0)
   double friction = 0;   ///< dissipated by friction
