@@ -30,8 +30,8 @@ int main() try {
     memory = model.friction.memory(rod);
     if (k % 10 != 0) continue;
     SolverWork work;
-    const CurvatureMode softest = softest_mode(rod, held_by(model.nozzle, rod), model.terms,
-                                               model.options, work);
+    const CurvatureMode softest =
+        softest_mode(rod, held_by(model.nozzle, rod), model.terms, model.options, work);
     std::printf("%9.2f %14.3f %13.3f\n", total_rest_length(rod, model.wire),
                 found.report.inlet_length_force / force_unit(scenario), softest.eigenvalue);
   }

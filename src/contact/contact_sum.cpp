@@ -15,7 +15,7 @@ namespace wirepack {
 
 namespace {
 
-// The lines of all edges: seven numbers of each, a column for each, filled up to whole lanes.
+// Lines of all edges: a column for each of the seven numbers of a line, filled up to whole lanes.
 class LineTable {
  public:
   explicit LineTable(const RodState& state)
@@ -71,8 +71,8 @@ class LineTable {
   Eigen::VectorXd values_;
 };
 
-// The derivative by the lines of the edges from `start` on: midpoint and vector of each, four
-// numbers apart.
+// Derivative by the lines of the edges from `start` on. An edge has eight numbers: that by the
+// midpoint from the first on, that by the vector from the fifth on.
 class ByLines {
  public:
   ByLines(Index start, Index edges)
@@ -124,7 +124,7 @@ LaneMask mask_of(unsigned bits) {
   return load<Lanes>(rows[bits].data()) > 0.0;
 }
 
-// What becomes of the touching pairs beside their energy: nothing, or a list.
+// Receivers of the touching pairs: Unlisted drops them, Listed lists them.
 struct Unlisted {
   void add(const EdgePair&, const LineKernel&, const Meeting<Lanes>&, int) const {}
   void add(const EdgePair&, const LineKernel&, const Line&, const Line&) const {}
@@ -155,8 +155,7 @@ struct Listed {
   }
 };
 
-// The pairs of four without those that have a free end. These come last, for all others take the
-// same way.
+// Pairs of a four that have no free end: all of these take the same way. The others come last.
 unsigned inner_pairs(const EdgeFour& four, const RodState& state) {
   if (state.ends.closed) return four.listed;
   if (four.first == 0) return 0;
@@ -165,7 +164,7 @@ unsigned inner_pairs(const EdgeFour& four, const RodState& state) {
                                              : four.listed;
 }
 
-// What some pairs add up to.
+// Sum over some pairs.
 template <class Sink>
 struct Sum {
   Energy energy;
@@ -177,8 +176,8 @@ template <class Sink>
 Sum<Sink> sum_inner_pairs(const LineKernel& kernel, const RodState& state, const LineTable& lines,
                           std::span<const EdgeFour> fours) {
   const NoEnd no_end;
-  // What touches is picked without branches that depend on it, for they would be mispredicted:
-  // first fours of pairs,
+  // Touching pairs are picked without branches, which would be mispredicted: first fours in which a
+  // pair touches,
   struct TouchingFour {
     Index first, start;
     std::array<double, lane_count> touches;
@@ -208,7 +207,7 @@ Sum<Sink> sum_inner_pairs(const LineKernel& kernel, const RodState& state, const
   for (std::size_t start = 0; start < pair_count; start += lane_count) {
     const EdgePair* const four = pairs.get() + start;
     const int count = static_cast<int>(std::min<std::size_t>(lane_count, pair_count - start));
-    // the lanes that are left repeat the last pair, for numbers that are finite
+    // lanes without a pair repeat the last one, so that their numbers are finite
     const auto first_edge = [&](int k) { return four[std::min(k, count - 1)].first; };
     const auto second_edge = [&](int k) { return four[std::min(k, count - 1)].second; };
     const LineOf<Lanes> first = lines.picked(first_edge), second = lines.picked(second_edge);
@@ -225,13 +224,13 @@ Sum<Sink> sum_inner_pairs(const LineKernel& kernel, const RodState& state, const
   return sum;
 }
 
-// Pairs are added up in shares, by their first edges: the list must not decide which sum a pair
-// goes to, for it depends on what has been before. Few, as each has numbers of its own for nearly
-// all edges.
+// Pairs are added up in shares, by their first edges. The neighbor list must not decide which share
+// a pair goes to, as it depends on earlier states. Shares are few, as each keeps derivatives by
+// nearly all edges.
 constexpr Index edges_of_a_share = 400, most_shares = 8;
 
-// The pairs of each share. An edge has the fewer partners behind it the later it comes, in the
-// mean, so the first share has the fewest edges.
+// Pairs of each share. The later an edge comes, the fewer partners with higher numbers it has in
+// the mean, so the first share has the fewest edges.
 std::vector<std::span<const EdgeFour>> shares_of(std::span<const EdgeFour> fours, Index edges) {
   const Index count = std::clamp<Index>(edges / edges_of_a_share, 1, most_shares);
   std::vector<std::span<const EdgeFour>> shares;

@@ -49,7 +49,7 @@ CellGrid sort_into_cells(const Points& points, double cell) {
   return grid;
 }
 
-// Which edges lie near which, by their midpoints.
+// Finds the edges near an edge, by their midpoints.
 class Neighborhoods {
  public:
   Neighborhoods(const RodState& state, double reach, Index separation)
@@ -61,7 +61,7 @@ class Neighborhoods {
     for (Index j = 0; j < edges_; ++j) {
       midpoints_.col(j) = (state.nodes.col(j) + state.nodes.col(next_node(state, j))) / 2;
     }
-    // Cells of half the reach: five in a row hold less than three whole ones would.
+    // Cells are half the reach wide: five in a row hold less than three twice as wide would.
     grid_ = sort_into_cells(midpoints_, reach / 2);
     by_cell_ = Rows::Zero(edges_ + lane_count, 3);
     for (Index p = 0; p < edges_; ++p) {
@@ -92,15 +92,15 @@ class Neighborhoods {
 
  private:
   static constexpr Index tile_edges = 128;
-  // Neighbours in space are neighbours in memory, a row for each coordinate; four may be read
-  // anywhere.
+  // Midpoints in the order of cells, a column for each coordinate: neighbours in space are
+  // neighbours in memory. Four may be read from any place on.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
   std::size_t find(Index j, std::vector<Index>& found) const {
     constexpr Index span = 2;
     std::size_t count = 0;
     const Triple<double> middle = triple(midpoints_.col(j));
-    // a line that closes on itself has its neighbours at both ends
+    // in a closed wire the last edges are neighbours of the first
     const Index first_far = j + separation_;
     const Index last_far = closed_ ? j + edges_ - separation_ : edges_;
     const Index cell = grid_.cell_of[static_cast<std::size_t>(j)];
@@ -123,7 +123,7 @@ class Neighborhoods {
                                     coordinate(2) - middle.z};
           std::array<double, lane_count> within;
           store(select(dot(apart, apart) <= Lanes(reach2_), 1.0, 0.0), within.data());
-          // written in any case and kept if near: no branch on this could be foretold
+          // written always and kept if near: a branch on this would be mispredicted
           for (Index q = p; q < std::min(p + lane_count, end); ++q) {
             const Index k = found[count] = grid_.order[static_cast<std::size_t>(q)];
             const bool far = k >= first_far && k <= last_far;

@@ -95,8 +95,8 @@ void for_each_sign_change(const Cubic& cubic, F&& f) {
 }
 
 Vec3 nearest_vector(const MovingEdge& p, const MovingEdge& q, double u) {
-  // By alternating projection from a node that is nearest: enough for its direction, which is all
-  // that is used, and only for edges in one plane, where one of the nearest points is a node.
+  // Shortest vector from p to q that starts or ends at a node. Edges in one plane that do not cross
+  // have no shorter one.
   const std::array<Vec3, 2> a{p.first.at(u), p.last.at(u)}, b{q.first.at(u), q.last.at(u)};
   const auto to_segment = [](const Vec3& point, const std::array<Vec3, 2>& segment) -> Vec3 {
     const Vec3 d = segment[1] - segment[0];
@@ -111,7 +111,8 @@ Vec3 nearest_vector(const MovingEdge& p, const MovingEdge& q, double u) {
   });
 }
 
-// When both edges share a plane all the time (parallel strands do), a node of one meets the other.
+// Time at which edges meet that share a plane all the time, as parallel strands do: a node of one
+// then meets the other edge.
 std::optional<double> meeting_in_plane(const MovingEdge& p, const MovingEdge& q, double tolerance) {
   const Vec3 before = nearest_vector(p, q, 0);
   if (before.norm() <= tolerance || before.dot(nearest_vector(p, q, 1)) > 0) return std::nullopt;
@@ -140,7 +141,7 @@ struct Passing {
   Vec3 place;
 };
 
-// Where and when the edges pass each other, if they do so on balance.
+// Time and place of the last passage, if the edges pass each other an odd number of times.
 std::optional<Passing> passing(const MovingEdge& p, const MovingEdge& q) {
   const auto length = [](const MovingEdge& e) {
     const MovingPoint d = e.last - e.first;
@@ -171,7 +172,8 @@ std::optional<Passing> passing(const MovingEdge& p, const MovingEdge& q) {
   return Passing{last, a + std::clamp(s, 0.0, 1.0) * e};
 }
 
-// Pairs whose boxes around all they sweep over overlap, by a sweep along the longest side.
+// Calls f for pairs of edges whose boxes overlap. A box holds all that its edge sweeps over. Boxes
+// are sorted along the longest side of the whole.
 template <class F>
 void for_each_near_pair(const std::vector<MovingEdge>& edges, F&& f) {
   const auto count = static_cast<Index>(edges.size());

@@ -61,7 +61,7 @@ void EquationOfMotion::add_friction_of(const DynamicState& state, FrictionMemory
   require_calm_sticking(*forces_.friction, stiffest / inertia_.mass_per_length(forces_.wire),
                         state.step);
   const Index last = rod.node_count() - 1;
-  // Wire is in motion where it enters, at a clamp that is at rest.
+  // Wire moves where it enters, although the clamp does not.
   const Vec3 fed = -state.feed_speed * forces_.nozzle_direction;
   const Vec3 clamped = motion_.velocity.col(last);
   if (state.feed_speed != 0) motion_.velocity.col(last) = fed;

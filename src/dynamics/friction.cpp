@@ -12,7 +12,7 @@ bool earlier(const A& a, const B& b) {
   return std::pair(a.first, a.second) < std::pair(b.first, b.second);
 }
 
-// Of the meeting that has moved on to these edges.
+// Memory of the strongest contact between neighbouring edges, which has moved on to these; or null.
 const StickAnchor* inherited(const std::vector<StickAnchor>& memory, const Touch& touch) {
   const StickAnchor* strongest = nullptr;
   for (Index first = touch.first - 1; first <= touch.first + 1; ++first) {
@@ -28,7 +28,7 @@ const StickAnchor* inherited(const std::vector<StickAnchor>& memory, const Touch
   return strongest;
 }
 
-// Turned into the tangent plane as it is now, with its length.
+// Turns a spring into the present tangent plane and keeps its length.
 Vec3 carried(const Vec3& spring, const SurfaceSlip& slip) {
   const Vec3 flat = slip.tangential(spring);
   const double before = spring.norm(), now = flat.norm();

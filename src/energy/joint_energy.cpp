@@ -55,8 +55,8 @@ double add_joint_of_tangents(const RodState& state, const RodParams& params, dou
   return bending.energy;
 }
 
-// The joints whose edges have the rest length of all but the inlet edge, 1 ... n - 3, are computed
-// in lanes; then all others.
+// Calls f for the joints that are not computed in lanes. Those in lanes are the inner joints
+// 1 ... n - 3, which do not touch the inlet edge, so that they all have the same node length.
 template <class F>
 void for_each_other_joint(const RodState& state, F&& f) {
   for_each_joint(state, [&](const Joint& joint) {

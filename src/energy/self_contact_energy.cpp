@@ -15,7 +15,7 @@ SelfContactEnergy::SelfContactEnergy(const RodParams& params, const ContactParam
       skin_(params.radius) {}
 
 bool SelfContactEnergy::prepare(const RodState& state) {
-  // the curvature model also asks for what nearly touches
+  // the model of the Hessian also has contacts that nearly touch
   const double margin = nearly_touching * kernel_.touching_distance / 2;
   if (list_.covers(state, margin)) return false;
   std::swap(list_, list_before_);
@@ -37,7 +37,7 @@ namespace {
 
 using ByLines = Eigen::Matrix<double, 9, 9>;  // the vector w between midpoints, both edge vectors
 
-// By four nodes.
+// The same second derivative by the four nodes of both edges.
 CurvatureModel::Hessian by_nodes(const ByLines& by_lines) {
   // A node moves its midpoint by a half and its edge by all of its own move.
   static constexpr std::array<double, 4> on_w{0.5, 0.5, -0.5, -0.5}, on_edge{-1, 1, -1, 1};
@@ -62,7 +62,7 @@ CurvatureModel::Hessian by_nodes(const ByLines& by_lines) {
 }  // namespace
 
 void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& model) const {
-  // The gradient that comes along costs less than one pair at a time would.
+  // The gradient is not used. Still this is faster than finding contacts one pair at a time.
   Points unused = Points::Zero(3, state.node_count());
   std::vector<SelfContact> touching;
   LineKernel wide = kernel_;
@@ -89,7 +89,7 @@ void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& mod
     model.add_square((1 - exactness) * touch.line.stiffness, parts);
     if (exactness > 0) model.add_hessian(exactness, by_nodes(second_derivative), nodes);
   };
-  // Threads share the derivatives, some hundred at a time, which are then added in order.
+  // Threads share the derivatives of about a thousand contacts, which are then added in order.
   constexpr Index at_a_time = 1024, tile = 64;
   std::vector<ByLines> second_derivatives(at_a_time);
   for_each_tile(

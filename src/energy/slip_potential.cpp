@@ -11,14 +11,14 @@ namespace {
 
 constexpr Index wall = -1;
 
-// Strands that slide pass their contact on to neighbouring edges, on by the slip of an increment.
+// Sliding strands hand their contact on to neighbouring edges, this far at most in an increment.
 constexpr Index reach = 2;
 
 bool before_in_order(const EdgePair& a, const EdgePair& b) {
   return a.first != b.first ? a.first < b.first : a.second < b.second;
 }
 
-// What the contact itself remembers, or else the nearest one of the same two strands.
+// Memory of the contact itself, or else of the nearest one of the same two strands.
 const SlipMemory* recall(std::span<const SlipMemory> memory, const EdgePair& edges) {
   const SlipMemory* found = nullptr;
   Index nearest = 2 * reach + 1;
@@ -36,7 +36,7 @@ const SlipMemory* recall(std::span<const SlipMemory> memory, const EdgePair& edg
   return found;
 }
 
-// All nodes but the last, which the nozzle holds.
+// Number of nodes that rub on the wall: all but a last one that a clamp (the nozzle) holds.
 Index rubbing_nodes(const RodState& state) {
   return state.ends.last_clamped ? state.node_count() - 1 : state.node_count();
 }
@@ -45,8 +45,7 @@ Vec3 point_of(const RodState& state, Index edge, double s) {
   return (0.5 - s) * state.nodes.col(edge) + (0.5 + s) * state.nodes.col(next_node(state, edge));
 }
 
-// Share of the straight way after which a gap that shrinks from the first to the second, negative
-// one is zero.
+// Share of the straight way after which the gap is zero; it shrinks from `first` to `second` < 0.
 double way_to_touch(double first, double second) {
   return first > 0 ? first / (first - second) : 0.0;
 }
@@ -106,7 +105,7 @@ SlipPotential::Joined SlipPotential::join(const RodState& before, const RodState
   std::vector<EdgePair> held;
   for (const Contact& c : contacts_) held.push_back(c.edges);
   std::sort(held.begin(), held.end(), before_in_order);
-  // a node on the wall itself; of two strands also their neighbouring edges
+  // on the wall the node itself counts, of two strands also their neighbouring edges
   const auto is_held = [&](const EdgePair& edges) {
     const Index near = edges.second == wall ? 0 : reach;
     const auto from =
@@ -214,8 +213,8 @@ Energy SlipPotential::add_gradient(const RodState& state, Gradient& gradient) co
 void SlipPotential::add_curvature(const RodState& state, CurvatureModel& model) const {
   for (const Contact& c : contacts_) {
     const SurfaceAnchor::Slip slip = c.anchor.slip(state, params_);
-    // k f'(v) / v: the parabola through v that lies above f; v is the slip, or what it is expected
-    // to be
+    // k f'(v) / v: the parabola that touches f at v and lies above it elsewhere; v is the slip, or
+    // the expected slip if that is larger
     const double length = std::max({slip.u.norm(), c.expected, c.limit});
     const double weight = length == c.limit ? c.stiffness : c.stiffness * c.limit / length;
     const Vec3 along = slip.map.normal.unitOrthogonal();

@@ -22,13 +22,13 @@ namespace wirepack {
 
 namespace {
 
-// Looks for strands that have passed through each other, to an increment.
+// Number of checks in an increment for strands that have passed through each other.
 constexpr std::int64_t passage_checks = 8;
-// Longest inlet edge, over the others: a part of it shorter than half an edge would ask for shorter
-// steps of time.
+// Longest inlet edge, over l. Split earlier, it would leave less than half an edge, which asks for
+// shorter steps of time.
 constexpr double longest_inlet = 1.5;
-// An increment whose energies miss by more than this share of all work and dissipation in it is one
-// in which the integration has become unstable.
+// The integration has become unstable in an increment whose balance of energy misses more than this
+// share of all work and dissipation in it.
 constexpr double unstable_share = 0.5;
 
 // Tangential springs of two thirds of the normal stiffness (that of a round, smooth contact is
@@ -60,25 +60,25 @@ WireForces forces_of(const PackingModel& model) {
   return forces;
 }
 
-// Puts a part into Nordsieck values before the last `tail` rows.
+// Inserts rows into Nordsieck values before the last `tail` rows.
 void insert_rows(GearValues& values, Index tail, const GearValues& rows) {
   GearValues grown(values.rows() + rows.rows(), 6);
   grown << values.topRows(values.rows() - tail), rows, values.bottomRows(tail);
   values = std::move(grown);
 }
 
-// Brings what is not held to rest, where that is found; strands do not count.
+// Brings what is not held to equilibrium, if one is found. Contacts of strands are left out.
 void settle(RodState& rod, const HeldUnknowns& held, PackingModel& model) {
   EquilibriumOptions options = model.options;
   options.guard = {};
   RodState settled = rod;
-  const JointEnergy joints(model.wire);  // the spins move
+  const JointEnergy joints(model.wire);  // with torsion: frames move in time
   const EnergyTerms energy{model.stretch, joints, model.wall};
   const EquilibriumReport report = solve_equilibrium(settled, held, energy, options);
   if (report.end == EquilibriumEnd::converged) rod = std::move(settled);
 }
 
-// Everything but a node and the frames of its edges.
+// Holds everything but a node and the frames of its edges.
 HeldUnknowns all_but_node(const RodState& rod, Index node) {
   HeldUnknowns held = HeldUnknowns::none(rod);
   for (Index i = 0; i < rod.node_count(); ++i) {
@@ -90,10 +90,10 @@ HeldUnknowns all_but_node(const RodState& rod, Index node) {
   return held;
 }
 
-// Splits the inlet edge of a moving wire. The new node starts at rest between its neighbours, or it
-// would swing. The derivatives of the new node lie between those of the node behind it and of the
-// wire that comes out of the nozzle; the spin of the edge next to the nozzle between those of the
-// old edge and of the clamp.
+// Splits the inlet edge of a moving wire. The new node starts in equilibrium between its
+// neighbours, or it would swing. Its derivatives are interpolated between those of the next node
+// towards the tip and those of the wire that comes out of the nozzle. The twist rate of the edge
+// next to the nozzle is interpolated between those of the old edge and of the clamp.
 void split_moving_inlet(DynamicState& state, PackingModel& model) {
   follow_nodes(state);
   const double share = model.wire.edge_length / state.rod.inlet_rest_length;
@@ -115,8 +115,9 @@ bool is_first_coil(const Scenario& scenario, double length) {
   return length <= first_coil_length(scenario.cavity);
 }
 
-// The straight wire is a saddle under compression; until the first coil has formed, it is pushed
-// off its axis before every increment, like a bent cantilever, so that next to no energy comes in.
+// Pushes the wire off its axis before every increment until the first coil has formed, as the
+// straight wire is a saddle under compression. The push has the shape of a bent cantilever, so that
+// next to no energy enters.
 void perturb(const Scenario& scenario, DynamicState& state, std::uint64_t& random_state) {
   if (!is_first_coil(scenario, total_rest_length(state.rod, scenario.wire))) return;
   Random random(random_state);
@@ -133,8 +134,8 @@ void perturb(const Scenario& scenario, DynamicState& state, std::uint64_t& rando
   random_state = random.state();
 }
 
-// A straight wire takes time to buckle, in which the force goes far beyond that of rest: limits of
-// the force count from the first coil on.
+// A straight wire takes time to buckle. Until then the force goes far beyond that of equilibrium,
+// so limits of the force count from the first coil on.
 std::optional<StopReason> limit_reached(const Scenario& scenario, const PackingProgress& progress) {
   if (!is_first_coil(scenario, progress.last.inserted_length)) {
     return reached_limit(scenario, progress);
@@ -178,7 +179,7 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
   settle(progress_.rod, held_by(model_->nozzle, progress_.rod), *model_);
   progress_.random_state = s.seed;
   DynamicState state = at_rest(progress_.rod, model_->step);
-  // All of the wire is on its way from the start.
+  // All of the wire moves from the start.
   Points velocity = Points::Zero(3, progress_.rod.node_count());
   velocity.leftCols(progress_.rod.node_count() - 1).colwise() =
       -model_->values.insertion_speed * model_->nozzle.direction;
@@ -227,7 +228,7 @@ Advance DynamicPacking::advance() {
       first_touching_neighbor({2 * model_->wire.radius, model_->wire.edge_length,
                                model_->scenario.contact.excluded_arc_length});
 
-  // Energy of a moment, without moving the memory of friction on.
+  // Energies and powers now, without advancing the memory of friction.
   const auto flow_now = [&] {
     FrictionMemory unmoved = moving.friction;
     motion.set_rates(state, unmoved, rates);

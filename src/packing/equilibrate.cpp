@@ -8,8 +8,8 @@ namespace wirepack {
 
 namespace {
 
-// A wire that slides along itself slips by what is fed. A new contact that has slipped by this
-// more, over the wire radius, was missed.
+// A wire that slides along itself slips by the fed length. A new contact was missed if its slip
+// exceeds that by more than this, over the wire radius.
 constexpr double missed_slip = 0.25;
 
 SlipPotential::Joined join_friction(PackingModel& model, const RodState& before,
@@ -33,7 +33,7 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
   const RodState fed = rod;
   Equilibrium found;
   SolverWork work;
-  // One minimization and what is found there; false where it has not converged.
+  // Minimizes once and observes the state; false if it has not converged.
   const auto settle = [&] {
     found.report = minimize(model, rod);
     found.report.work += work;
@@ -48,8 +48,9 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
     const auto joined = join_friction(model, before, rod, found.observed);
     if (joined.count > 0) {
       if (repeated || !joined.missed) continue;
-      // Nothing held this contact while it formed, so it slid off and presses on nothing now. It is
-      // held where it formed until its normal force is known, and then as its friction allows.
+      // No friction acted on this contact while it formed, so it slid off and its present force
+      // means nothing. It is glued where it formed until its normal force is known, and then it
+      // rubs with that force.
       repeated = true;
       rod = fed;
       model.friction.hold_joined(joined.count);
@@ -59,7 +60,7 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
       continue;
     }
     if (saddles++ == most_saddles) {
-      found.report.stable = false;  // the last of them was one again, as far as is known
+      found.report.stable = false;  // this one is not tested, and counts as a saddle
       break;
     }
     if (!leave_saddle(model, rod, found.report)) break;

@@ -13,13 +13,14 @@ namespace wirepack {
 
 namespace {
 
-// The discretization error of the force at the nozzle grows with the cube of the inlet edge's
-// length, so the edge is split early. The force then has the same mean over a cycle as the change
-// of energy, and at 0.55 edge lengths it is that mean (moments that grow linearly from the clamp:
-// it is wrong by YI kappa'^2 l^2 (x^2 / 12 + x / 18 - 1 / 72) for an inlet edge x l).
+// The discretization error of the energy at the inlet edge grows with the cube of the edge's
+// length, so the edge is split early. The force then has nearly the same mean over a cycle as the
+// change of energy. Where moments are linear at the clamp, the force of an inlet edge x l is too
+// low by YI kappa'^2 l^2 x^2 / 4. The mean change of energy per length is too low by
+// YI kappa'^2 l^2 / 12, so both agree at x = 0.58.
 constexpr double longest_inlet = 1.1;
-// A short edge that presses on strands can be too stiff to come to rest. The split may wait till
-// then.
+// A short edge that presses on strands can be too stiff for an equilibrium to be found. The split
+// may then wait until the edge is so long.
 constexpr double latest_split = 1.5;
 constexpr double inlet_of_whole_edges = 0.6;
 
@@ -27,14 +28,14 @@ bool is_whole_edge(double length, const RodParams& wire) {
   return std::abs(length - wire.edge_length) < 1e-9 * wire.edge_length;
 }
 
-// An edge is a whole number of increments.
+// True if an edge is a whole number of increments.
 bool divides_edges(double increment, const RodParams& wire) {
   const double count = wire.edge_length / increment;
   return std::abs(count - std::round(count)) < 1e-9 * count;
 }
 
-// Whether increments are whole edges, by which the wire slides along itself. Friction would have to
-// undo that where it holds the wire.
+// True if the wire slides along itself: increments are whole edges, and there is no friction, which
+// would have to undo the slide where it holds the wire.
 bool feeds_whole_edges(const PackingModel& model) {
   return is_whole_edge(model.scenario.insertion.increment, model.wire) && !model.has_friction();
 }
@@ -59,7 +60,7 @@ struct Start {
   double released = 0;    // by a snap that the split set off
 };
 
-// What an increment fed, and what it came to.
+// What an increment has fed.
 struct Fed {
   double length;
   bool whole_edge;
@@ -76,8 +77,8 @@ double length_of_increment(const PackingModel& model, const PackingProgress& fro
     length = std::min(length, end - inserted);
   }
   if (divides_edges(scenario.insertion.increment, model.wire)) {
-    // Parts of an increment lead back to the phases of the mesh that whole ones have: others read
-    // another mean force.
+    // A part of an increment ends at the next phase of the mesh at which whole increments end, or
+    // before: other phases read another mean force.
     const double whole = scenario.insertion.increment;
     const double increments = (from.rod.inlet_rest_length - inlet_at_start(model.wire)) / whole;
     const double missing = whole * (std::ceil(increments - 1e-9) - increments);
@@ -86,7 +87,8 @@ double length_of_increment(const PackingModel& model, const PackingProgress& fro
   return length;
 }
 
-// Equilibrium from where friction has started, with what it cost booked in the trial.
+// Finds the equilibrium. Friction has started at `before`. Books evaluations, failure and the work
+// against friction in the trial.
 Equilibrium come_to_rest(PackingModel& model, const RodState& before, const SlipWork& at_start,
                          Trial& trial) {
   PackingProgress& next = trial.progress;
@@ -101,7 +103,7 @@ Equilibrium come_to_rest(PackingModel& model, const RodState& before, const Slip
   return found;
 }
 
-// What went against friction: dissipated, or stored in the contacts.
+// Work against friction: dissipated, or stored in the contacts.
 double against_friction(const Equilibrium& found, const SlipWork& at_start) {
   return found.slip.dissipated + found.slip.stored - at_start.stored;
 }
@@ -111,8 +113,8 @@ SlipWork start_friction(PackingModel& model, const PackingProgress& progress) {
   return start_friction(model, progress.rod, observe(model, progress.rod), progress.slip_memory);
 }
 
-// Splits an inlet edge that has grown long. Where the new short edge finds no equilibrium the split
-// is undone, and waits till the edge is longer yet; only the longest must be split.
+// Splits an inlet edge that has grown long. If no equilibrium is found with the new short edge, the
+// split is undone and waits until the edge is longer. From `latest_split` on it must succeed.
 Start split_inlet_if_due(PackingModel& model, Trial& trial) {
   PackingProgress& next = trial.progress;
   Start start{next.last.energy_total, next.last.force};
@@ -136,8 +138,8 @@ Start split_inlet_if_due(PackingModel& model, Trial& trial) {
   return start;
 }
 
-// The straight wire is a saddle under compression; until the first coil has formed, every start is
-// moved off it.
+// Moves the nodes at random until the first coil has formed, off the straight wire, which is a
+// saddle under compression.
 void perturb(const PackingModel& model, PackingProgress& next) {
   RodState& rod = next.rod;
   if (total_rest_length(rod, model.wire) > first_coil_length(model.scenario.cavity)) return;
@@ -152,8 +154,8 @@ void perturb(const PackingModel& model, PackingProgress& next) {
   next.random_state = random.state();
 }
 
-// Lets wire in: the inlet edge grows, or, by a whole edge without friction, the wire slides along
-// itself.
+// Feeds wire: the inlet edge grows; or the wire slides along itself, if whole edges are fed without
+// friction.
 Fed feed(PackingModel& model, double length, Trial& trial) {
   perturb(model, trial.progress);
   const bool slides = feeds_whole_edges(model) && is_whole_edge(length, model.wire);
@@ -166,7 +168,8 @@ Fed feed(PackingModel& model, double length, Trial& trial) {
   return {length, slides};
 }
 
-// What the equilibrium cost, against the work of the force: what is missing was released by a snap.
+// Compares the work of the force with what the increment has spent. What is missing was released by
+// a snap, or is an error.
 WorkBooking account(const PackingModel& model, const Start& start, const Fed& fed, double force,
                     double spent, Trial& trial) {
   PackingProgress& next = trial.progress;

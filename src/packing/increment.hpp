@@ -8,13 +8,13 @@
 
 namespace wirepack {
 
-// An increment that was tried. The progress it started from stays as it was; the model keeps what
-// only the next start of friction and the next state replace: contacts with friction, and neighbor
+// An increment that was tried. The progress that it started from stays as it was. The model keeps
+// the trial's contacts with friction, which the next start of friction replaces, and neighbor
 // lists.
 struct Trial {
   PackingProgress progress;           // after the increment; useless where it failed
   std::optional<StopReason> failure;  // no equilibrium was found, or strands passed
-  bool resolved = true;               // false: a shorter increment is needed to know what happened
+  bool resolved = true;               // false: only a shorter increment tells what happened
   SolverWork work;
 };
 

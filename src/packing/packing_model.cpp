@@ -12,12 +12,12 @@ namespace wirepack {
 
 namespace {
 
-// The Hessian has negative eigenvalues on the way down; this much of it nearly always leaves a
-// positive model.
+// Share of the Hessian in its model. The Hessian has negative eigenvalues on the way down; with
+// this share the model nearly always is positive definite.
 constexpr double curvature_exactness = 0.7;
 
-// What settles by itself when the wire has slid along itself, and how well, over the tolerance of
-// rest: a few nodes are quick, and all else is at rest already.
+// Nodes that settle_tip moves, its tolerance over that of an equilibrium, and its evaluations. A
+// few nodes are quick, and all others are in equilibrium already.
 constexpr Index tip_nodes = 5;
 constexpr double settled_tolerance = 100;
 constexpr int settling_evaluations = 60;
@@ -30,8 +30,8 @@ const Scenario& valid(const Scenario& scenario) {
   return scenario;
 }
 
-// A straight wire whose rotation is free in a frictionless sphere has no torsion in any minimum, so
-// its frames drop out of the minimization. Friction holds its surface and twists it.
+// A straight wire whose rotation is free has no torsion in any minimum without friction, so its
+// frames drop out of the minimization. Friction holds its surface and twists it.
 bool torsion_free(const Scenario& scenario, const RodParams& wire) {
   return scenario.nozzle.twist == TwistCondition::free && is_straight(wire) &&
          scenario.friction.model == FrictionModel::none;
@@ -60,7 +60,7 @@ EquilibriumOptions options_of(const Scenario& scenario) {
   return options;
 }
 
-// What moves: all but what the nozzle holds, without the frames where they drop out.
+// Holds what the nozzle holds, and all frames if they drop out of the minimization.
 HeldUnknowns held_unknowns(const PackingModel& model, const RodState& rod) {
   HeldUnknowns held = held_by(model.nozzle, rod);
   if (torsion_free(model.scenario, model.wire)) {

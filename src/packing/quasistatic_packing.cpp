@@ -11,8 +11,7 @@ namespace wirepack {
 
 namespace {
 
-// Where what happened in it is not known well enough, an increment is taken in halves down to this
-// part.
+// An increment whose work is not known well enough is halved, down to this part.
 constexpr double resolving_substep = 1.0 / 8;
 
 }  // namespace

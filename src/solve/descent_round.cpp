@@ -17,15 +17,15 @@ namespace wirepack {
 
 namespace {
 
-// A round that has gone so much of the guard's distance and tries to go beyond it ends: further
+// A round ends when it has gone so much of the guard's distance and tries to go beyond it: further
 // steps would only bounce off the guard.
 constexpr double nearly_all = 0.9;
 
-// Differences of energies that are smaller than this share of the energy are rounded too much to
-// guide a line search; those of the last steps are.
+// Differences of energies below this share of the energy are rounded too much to guide a line
+// search. Those of the last steps are so small.
 constexpr double resolved_share = 1e-13;
 
-// Tolerance of each unknown, so that a residual is one number.
+// Inverse tolerance of each unknown: the residual is the largest gradient component times its own.
 Eigen::VectorXd inverse_tolerances(const FrameChart& chart, const EquilibriumOptions& options) {
   Eigen::VectorXd result(chart.size());
   for (Index b = 0; b < chart.block_count(); ++b) {
@@ -39,7 +39,7 @@ Eigen::VectorXd inverse_tolerances(const FrameChart& chart, const EquilibriumOpt
 
 struct GuardReport {
   double energy = 0;
-  double longest = 0;  // move across the wire
+  double longest = 0;  // longest move across the wire
 };
 
 // The guard's energy: stiffness / 2 (|d| - distance)^2 for each node whose move d across the
@@ -74,7 +74,7 @@ Preconditioner preconditioner_at(const FrameChart& chart, const EnergyTerms& ene
   return std::move(*result);
 }
 
-/// A point of a round, of which the height is known.
+/// Point of a round whose height is known.
 struct KnownPoint {
   double height = 0;
   Energy energy;
@@ -82,11 +82,11 @@ struct KnownPoint {
   Eigen::VectorXd step, by_step;
 };
 
-// Height of points above the start of a round. Far apart it is the difference of their energies.
-// Close to a minimum that difference drowns in round-off: it is f^2 / (2 k), f what is left of a
-// force and k the stiffness of a spring, while the energy of all else stays. Between points that
-// close the trapezoidal rule for the work of the gradient is exact but for third derivatives, and
-// its round-off is that of the forces.
+// Heights of points above the start of a round. Between points far apart, the height changes by the
+// difference of their energies. Close to a minimum that is f^2 / (2 k), f the remaining force on a
+// spring of stiffness k, and drowns in the round-off of the whole energy. Between points that close
+// the height changes by the work of the gradient instead, by the trapezoidal rule. This is exact
+// but for third derivatives, and its round-off is that of the forces.
 class Heights {
  public:
   double above_start(const Energy& energy, double guard, const Eigen::VectorXd& step,
@@ -132,9 +132,9 @@ double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const En
   Points by_move;
   Eigen::VectorXd step, by_x, by_step;
   Heights heights;
-  // NLopt stops by itself where no component of the gradient by y exceeds 1e-8, and loses its way
-  // where values are huge. The first gradient of a round is made 1e3 by the unit of y (and of the
-  // energy, its square), so that a round can gain eleven decades.
+  // NLopt stops by itself where no component of the gradient by y exceeds 1e-8, and fails where
+  // values are huge. The unit of y (its square is that of the energy) makes the largest component
+  // of a round's first gradient 1e3, so that a round can gain eleven decades.
   double unit = 0;
   double way = 0;  // longest move across the wire at the lowest point
   const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& by_y) {

@@ -13,9 +13,9 @@ struct LowestPoint {
   double inlet_length_force = 0;
 };
 
-// Goes down from `lowest` with one chart, one factor and one memory of L-BFGS; `lowest` is the
-// lowest point afterwards. Returns what the energy has lost, the guard's included; throws
-// NumericalFailure where the start has no finite energy.
+// Descends from `lowest` with one chart, one factor and one memory of L-BFGS, and sets it to the
+// lowest point found. Returns by how much the energy has decreased, the guard's included. Throws
+// NumericalFailure if the start has no finite energy.
 double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const EnergyTerms& energy,
                          const EquilibriumOptions& options, double guard_distance,
                          int max_evaluations, SolverWork& work);

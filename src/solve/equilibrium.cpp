@@ -12,11 +12,11 @@ namespace wirepack {
 
 namespace {
 
-// A round that the collision check takes back is repeated with half the guard's distance, down to
-// this part of it.
+// A round in which strands pass is repeated with half the guard's distance, down to this part of
+// it.
 constexpr double smallest_distance = 1.0 / 16;
-// The search ends after so many rounds without gain. A round gains where it brings the residual
-// down by a tenth, or the energy by more than its round-off.
+// The search ends after so many rounds in a row without gain. A round gains if it brings down the
+// residual by a tenth, or the energy by more than its round-off.
 constexpr int most_fruitless_rounds = 3;
 constexpr double residual_gain = 0.9, energy_gain = 1e-14;
 
@@ -28,7 +28,7 @@ class Search {
     lowest_.state = std::move(state);
   }
 
-  // Rounds of descent until the gradient is small enough, or nothing is gained any more.
+  // Descends in rounds until the gradient is small enough, or nothing is gained any more.
   EquilibriumEnd run() {
     while (true) {
       const LowestPoint before = lowest_;
@@ -56,7 +56,8 @@ class Search {
     return descend_one_round(lowest_, held_, energy_, options_, guard_distance_,
                              std::min(options_.method.refactor_every, left), work_);
   }
-  // Back to where the round began, with half the guard's distance; the end where that is too short.
+  // Goes back to the start of the round and halves the guard's distance. Returns the end of the
+  // search if that is too short, or if the evaluations are used up.
   std::optional<EquilibriumEnd> take_back(const LowestPoint& before) {
     lowest_ = before;
     ++work_.rounds_taken_back;

@@ -13,15 +13,15 @@ struct Line {
   bool ends_after = false;   ///< the strand has a free end at s = +1/2
 };
 
-/// Two strands meeting near a pair of their edges: the nearest points of the two lines. Every pair
-/// of neighbouring edges sees the same meeting, and quadratic B-spline weights in the parameters
+/// Meeting of two strands near a pair of their edges: the nearest points of the two lines. Every
+/// pair of neighbouring edges sees the same meeting. Quadratic B-spline weights in the parameters
 /// share it out among them without bumps as strands slide along each other.
 ///
-/// Lines that are nearly parallel meet far away or nowhere: there the common motion of both points
-/// along the lines is held back, by eta |s e1 + t e2|^2 with eta = (a / 2 l) cos^8(angle). Strands
-/// that close in on each other at a small angle then shift the meeting by angle edges only, for any
-/// mesh. (Holding both points back by a constant instead shifts it by 5 angle 2a / l: the weights
-/// run out on fine meshes and the strands leak through each other.)
+/// Lines that are nearly parallel meet far away or nowhere. There a penalty eta |s e1 + t e2|^2,
+/// eta = (a / 2 l) cos^8(angle), holds back the common motion of both points along the lines.
+/// Strands that close in on each other at a small angle then shift the meeting by angle edges only,
+/// on any mesh. (A constant that holds back both points shifts it by 5 angle 2a / l instead: the
+/// weights run out on fine meshes, and strands leak through each other.)
 struct LineContact {
   double s, t;       ///< parameters of the meeting on both lines
   double stiffness;  ///< of this pair, its weight included: energy stiffness / 2 overlap^2
@@ -34,10 +34,9 @@ struct LineGradient {
   Vec3 midpoint1, vector1, midpoint2, vector2;
 };
 
-/// The kernel: a pair at a distance below `touching_distance` costs k W / 2 overlap^2, W the
-/// product of its two weights, and k between its values for parallel lines and for a right angle:
-/// parallel strands have a stiffness per length, a crossing has one of its own, neither depends on
-/// the mesh.
+/// Contact kernel: a pair nearer than `touching_distance` costs k W / 2 overlap^2. W is the product
+/// of its two weights, k lies between its values for parallel lines and for a right angle. Parallel
+/// strands have a stiffness per length, a crossing has one of its own. Neither depends on the mesh.
 struct LineKernel {
   double touching_distance;   ///< 2 a
   double edge_length;         ///< l
@@ -48,8 +47,8 @@ struct LineKernel {
   /// counts as a length 2 a of them.
   static LineKernel per_length(double stiffness, double wire_radius, double edge_length);
 
-  /// Weights of all pairs of edges, summed, per edge of two parallel strands; for a crossing at a
-  /// right angle they sum to 1.
+  /// Mean sum of the weights of all pairs, per edge of two parallel strands. Those of a crossing at
+  /// a right angle sum to 1.
   static constexpr double parallel_weight = 2.0 * 11 / 20;
   /// k for lines whose angle has this cos^8.
   template <class T>
@@ -59,7 +58,7 @@ struct LineKernel {
   /// eta of parallel lines.
   double parallel_hold() const { return touching_distance / (4 * edge_length); }
 
-  /// The touch of two lines; nothing when they are apart or meet outside the support of the pair.
+  /// Contact of two lines; nothing if they are apart, or meet outside the support of the pair.
   std::optional<LineContact> touch(const Line& first, const Line& second) const;
   /// Second derivative of the energy of a pair that touches and has no free end, by the vector
   /// between the midpoints (second to first) and both edge vectors.

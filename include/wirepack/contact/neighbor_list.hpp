@@ -12,9 +12,9 @@ struct EdgePair {
   Index first, second;  ///< first < second
 };
 
-/// Pairs of one edge with some of four successive ones: those of the seconds start ... start + 3, a
-/// multiple of four on, whose bit is set. Strands run side by side, so that this is how pairs come,
-/// and four lie side by side in memory.
+/// Pairs of the edge `first` with some of the edges start ... start + 3: those whose bit is set.
+/// `start` is a multiple of four. Strands run side by side, so pairs come in such groups, and the
+/// four edges are neighbours in memory.
 struct EdgeFour {
   Index first, start;
   unsigned listed;  ///< bit k stands for the pair (first, start + k)
@@ -30,27 +30,27 @@ void for_each_pair(std::span<const EdgeFour> fours, F&& f) {
   }
 }
 
-/// Which pairs of edges may touch.
+/// Limits within which pairs of edges may touch.
 struct ContactRange {
   double touching_distance;    ///< 2 a
   double edge_length;          ///< l
   double excluded_arc_length;  ///< nearer neighbours along the wire do not touch
 };
 
-/// Smallest difference of edge numbers that may touch. Never below four edges: the extended lines
-/// of nearer edges of a bent wire meet within the support of the contact kernel.
+/// Smallest difference between the numbers of two edges that may touch, four at least: the extended
+/// lines of nearer edges of a bent wire meet within the support of the contact kernel.
 Index first_touching_neighbor(const ContactRange& range);
 
-/// All pairs of edges whose lines, extended by one edge length to both sides (the support of the
-/// contact kernel), come within touching distance plus a skin; from a cell grid. Sorted.
+/// All pairs of edges whose lines come within touching distance plus a skin; from a cell grid,
+/// sorted. Lines are extended by one edge length to both sides (the support of the contact kernel).
 /// A superset of the touching pairs as long as `covers` holds, so it changes cost, never values.
 class NeighborList {
  public:
   NeighborList() = default;
   NeighborList(const RodState& state, const ContactRange& range, double skin);
 
-  /// No edge has moved so far that a pair outside the list could touch, or come within `margin` of
-  /// that.
+  /// True if no edge has moved so far that a pair outside the list could come within `margin` of
+  /// touching.
   bool covers(const RodState& state, double margin = 0) const;
   std::span<const EdgeFour> fours() const { return fours_; }
   std::vector<EdgePair> pairs() const;

@@ -8,9 +8,9 @@
 namespace wirepack {
 
 /// Pairs of edges of one wire that pass through each other (centreline through centreline) when
-/// every node goes straight from its place in `before` to its place in `after`, apart from a common
-/// rotation about the origin, which passes nothing and is taken out first. Only what is left at the
-/// end counts: a pair that passes and comes back is not reported. A hit on a node is reported once.
+/// every node goes straight from its place in `before` to its place in `after`. A common rotation
+/// about the origin makes no strands pass and is taken out first. A pair that passes and comes back
+/// is not reported. A hit on a node is reported once.
 ///
 /// Edge numbers of a pair differ by at least `separation` >= 2 (also around a closed rod). Nodes
 /// that only one state has, at the inlet end, are ignored; closed rods must have equally many.

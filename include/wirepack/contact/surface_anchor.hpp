@@ -7,16 +7,15 @@
 
 namespace wirepack {
 
-/// Two touching points of the surfaces, followed with the material from a state at which they
-/// touch: the SurfaceSlip of finite motions. Levers turn with their edges, so the offset between
-/// both points
+/// Two points of the surfaces, followed with the material from a state in which they touch: the
+/// SurfaceSlip of finite motions. Levers turn with their edges, so the offset between both points
 ///
 ///   W = sum w_i r_i + sum R_k c_k - origin,    u = (1 - n n^T) W
 ///
-/// turns with the wire, and the length of u does not change in any rigid motion. The normal of two
-/// strands is along -(R_1 c_1 + R_2 c_2): it turns by the mean of both edges' rotations, as it does
-/// where strands of equal radius roll on each other. The wall does not move, nor does its normal.
-/// On an edge that grows as wire is fed, the points stay with their distance from its first node.
+/// turns with the wire, and no rigid motion changes the length of u. The normal of two strands is
+/// along -(R_1 c_1 + R_2 c_2). It turns by the mean of both edges' rotations, as it does where
+/// strands of equal radius roll on each other. The wall and its normal do not move. On an edge that
+/// grows as wire is fed, a point keeps its distance from the first node of the edge.
 struct SurfaceAnchor {
   SurfaceSlip start;                ///< at the state of the anchor
   std::array<Vec3, 2> body_levers;  ///< c, in the frames of the edges
@@ -33,7 +32,7 @@ struct SurfaceAnchor {
   Slip slip(const RodState& state, const RodParams& params) const;
 };
 
-/// Anchors at points that are off each other by `spring` (tangential, first minus second surface).
+/// Makes an anchor at points that are apart by `spring` (tangential, first minus second surface).
 SurfaceAnchor strand_anchor(const RodState& state, const RodParams& params, Index first, double s,
                             Index second, double t, const Vec3& separation, const Vec3& spring);
 SurfaceAnchor wall_anchor(const RodState& state, const RodParams& params, const Cavity& cavity,

@@ -8,12 +8,12 @@
 
 namespace wirepack {
 
-/// Where a centreline point stands to the wall. Formulas are templates: of a number or of lanes.
+/// Gap and normal of the wall at a centreline point. Formulas are templates, for a number or lanes.
 template <class T>
 struct WallPoint {
   T gap;                  ///< see wall_gap()
-  Triple<T> outward;      ///< along the wall's normal at the nearest point of it, out of the cavity
-  T length;               ///< of `outward`
+  Triple<T> outward;      ///< along the normal at the nearest point of the wall, out of the cavity
+  T length;               ///< |outward|
   T multiplier = T(0.0);  ///< of an ellipsoid: t of its nearest point
 };
 
@@ -28,7 +28,7 @@ WallPoint<T> wall_point(const Sphere& sphere, const Triple<T>& r, double wire_ra
   return {sphere.radius - distance - wire_radius, r, distance};
 }
 
-/// factor (dn/dr) v: how the outward unit normal n turns when r moves by v.
+/// factor (dn/dr) v, the change of the outward unit normal n when r moves by v.
 template <class T>
 Triple<T> normal_turning(const Sphere&, const WallPoint<T>& at, const T& factor, const Triple<T>& v,
                          const Triple<T>& n) {
@@ -40,19 +40,18 @@ struct Ellipsoid {
   Vec3 semi_axes;
 };
 
-/// The nearest point q of the ellipsoid has q_i = e_i^2 w_i, w_i = r_i / (e_i^2 + t), along the
-/// normal w, with the multiplier t that puts q on the ellipsoid: sum (e_i w_i)^2 = 1. It is found
-/// by Newton's method for 1 / sqrt(sum (e_i w_i)^2) - 1 = 0, which is concave and rises with t, and
-/// linear for a sphere, so the steps overshoot once at most, and by no more than the lower bound
-/// e_i (|r_i| - e_i) of t.
-/// Their number is fixed, for lanes.
+/// Finds the nearest point q of the ellipsoid: q_i = e_i^2 w_i, w_i = r_i / (e_i^2 + t) along the
+/// normal. The multiplier t puts q on the ellipsoid: sum (e_i w_i)^2 = 1. Newton's method solves
+/// 1 / sqrt(sum (e_i w_i)^2) - 1 = 0, which is concave in t, rises with t, and is linear for a
+/// sphere. So the steps overshoot once at most, and are stopped at the lower bound
+/// e_i (|r_i| - e_i) of t. Their number is fixed, for lanes.
 template <class T>
 WallPoint<T> wall_point(const Ellipsoid& ellipsoid, const Triple<T>& r, double wire_radius) {
   using std::sqrt;
   constexpr int steps = 8;
   const Vec3& e = ellipsoid.semi_axes;
   const auto larger = [](const T& a, const T& b) { return select(a > b, a, b); };
-  // never a division by nothing, at the centre
+  // lower bound of t by one axis; above -e_i^2 also at the centre, so nothing is divided by zero
   const auto least = [&](double axis, const T& x) {
     return axis * (larger(larger(x, T(0.0) - x), T(1e-12 * axis)) - axis);
   };
@@ -70,13 +69,13 @@ WallPoint<T> wall_point(const Ellipsoid& ellipsoid, const Triple<T>& r, double w
   const Triple<T> w{r.x / (t + e.x() * e.x()), r.y / (t + e.y() * e.y()),
                     r.z / (t + e.z() * e.z())};
   const T length = sqrt(dot(w, w));
-  // deep inside there may be no t: the shrunk ellipsoid through the point is that far from the wall
+  // deep inside there may be no t: then the gap is that of the shrunk ellipsoid through the point
   const T depth = T(0.0) - t * length;
   const T least_depth = select(size < 1.0, (1.0 - size) * e.minCoeff(), depth);
   return {larger(depth, least_depth) - wire_radius, w, length, t};
 }
 
-/// From the derivatives of w_i = r_i / (e_i^2 + t) and of sum (e_i w_i)^2 = 1.
+/// The same, by the derivatives of w_i = r_i / (e_i^2 + t) and of sum (e_i w_i)^2 = 1.
 template <class T>
 Triple<T> normal_turning(const Ellipsoid& ellipsoid, const WallPoint<T>& at, const T& factor,
                          const Triple<T>& v, const Triple<T>& n) {

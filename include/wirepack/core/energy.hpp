@@ -4,8 +4,8 @@
 
 namespace wirepack {
 
-/// Sum a + b as it is rounded, and what the rounding took from it: a + b = sum + error exactly
-/// (TwoSum, Knuth 1969). Needs arithmetic that keeps to the standard, so no -ffast-math.
+/// Rounded sum of a and b, and what the rounding took from it: a + b = sum + error exactly (TwoSum,
+/// Knuth 1969). Needs arithmetic that keeps to the standard, so no -ffast-math.
 template <class T>
 struct RoundedSum {
   T sum, error;
@@ -19,7 +19,7 @@ template <class T>
 }
 
 /// Energy together with the round-off of the sum that it came from. A minimum is flat: the last
-/// steps to it change the energy by less than one unit in the last place of its value, so energies
+/// steps to it change the energy by less than one unit in the last place of its value. So energies
 /// are compared by their difference, in which the round-off counts.
 class Energy {
  public:
@@ -33,8 +33,8 @@ class Energy {
     return *this;
   }
   friend Energy operator+(Energy a, const Energy& b) { return a += b; }
-  /// a - b, right to the last digits of the difference where the sums are of terms far smaller than
-  /// themselves.
+  /// a - b, right to the last digits of the difference if the terms of both sums are far smaller
+  /// than the sums.
   friend double difference(const Energy& a, const Energy& b) {
     return (a.value_ - b.value_) + (a.round_off_ - b.round_off_);
   }

@@ -10,8 +10,8 @@
 
 namespace wirepack {
 
-/// Four numbers computed on at once, in one vector register where the machine has them (Parallelism
-/// TS 2). The width is fixed, so that results do not depend on it.
+/// Four numbers computed at once, in one vector register where the machine has such (Parallelism
+/// TS 2). The width is the same everywhere, so that results do not depend on that of the machine.
 inline constexpr int lane_count = 4;
 using Lanes =
     std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, lane_count>>;
@@ -30,9 +30,8 @@ inline Lanes select(const LaneMask& condition, const Lanes& a, Lanes b) {
   return b;
 }
 
-/// Calls f.operator()<Lanes>(j) for j = first, first + 4, ... and f.operator()<double>(j) for what
-/// is left before `end`: one formula, templated on the number, for the inside of the wire and its
-/// rest.
+/// Calls f.operator()<Lanes>(j) for j = first, first + 4, ... and f.operator()<double>(j) for the
+/// indices left before `end`. So one formula, a template of the number type, serves both.
 template <class F>
 [[gnu::always_inline]] inline void for_each_in_lanes(Index first, Index end, F&& f) {
   for (; first + lane_count <= end; first += lane_count) f.template operator()<Lanes>(first);
@@ -51,7 +50,7 @@ class LaneSum {
   double rest_ = 0;
 };
 
-/// Columns index(0) ... index(3) of the points, one per lane.
+/// Columns index(0) ... index(3) of points, one per lane.
 template <class F>
 [[gnu::always_inline]] inline Triple<Lanes> columns_of(const Points& points, F&& index) {
   const double* const data = points.data();
@@ -69,7 +68,7 @@ inline Vec3 lane(const Triple<Lanes>& v, int k) {
   return {v.x[i], v.y[i], v.z[i]};
 }
 
-/// The number, or the four numbers, from `p` on; and back.
+/// Loads the number at `p`, or the four numbers from `p` on; stores them.
 template <class T>
 [[gnu::always_inline]] inline T load(const double* p) {
   if constexpr (std::is_same_v<T, double>) {
@@ -100,7 +99,7 @@ template <int i, int j, int k, int l>
   return load<Lanes>(row.data());
 }
 
-/// Rows and columns of a 4 x 4 table exchanged.
+/// Transposes a 4 x 4 table, given and returned by rows.
 [[gnu::always_inline]] inline std::array<Lanes, lane_count> transposed(const Lanes& a,
                                                                        const Lanes& b,
                                                                        const Lanes& c,
@@ -111,7 +110,7 @@ template <int i, int j, int k, int l>
           shuffle<2, 3, 6, 7>(ab0, cd0), shuffle<2, 3, 6, 7>(ab1, cd1)};
 }
 
-/// Column j of points, or columns j ... j + 3 one per lane; and back.
+/// Loads column j of points, or columns j ... j + 3 one per lane; stores them.
 template <class T>
 [[gnu::always_inline]] inline Triple<T> load_columns(const Points& points, Index j) {
   const double* const p = points.data() + 3 * j;
@@ -138,7 +137,7 @@ template <class T>
   store(shuffle<2, 3, 6, 7>(zx, yz), p + 8);
 }
 
-/// Quaternion j of a list, or quaternions j ... j + 3 one per lane; and back.
+/// Loads quaternion j of a list, or quaternions j ... j + 3 one per lane; stores them.
 template <class T>
 [[gnu::always_inline]] inline QuatOf<T> load_quats(const Quat* list, Index j) {
   if constexpr (std::is_same_v<T, double>) {

@@ -11,10 +11,10 @@
 namespace wirepack {
 
 /// An energy of a state. `add_gradient` returns the energy (with the round-off of its sum, or a
-/// plain number) and adds its exact derivatives, the explicit one by the inlet rest length
-/// included; `add_curvature` adds a model of the second derivative, positive semidefinite where its
-/// exactness is 0. A term sees no solver and no unknowns. A new term comes with: a closed form, a
-/// gradient check against differences, and invariance under rigid motion.
+/// plain number). It adds the exact derivatives, also the explicit one by the inlet rest length.
+/// `add_curvature` adds to the model of the Hessian; where the model's exactness is 0, it adds a
+/// positive semidefinite part. A term sees no solver and no unknowns. A new term comes with: a
+/// closed form, a gradient check against differences, and invariance under rigid motion.
 template <class T>
 concept EnergyTerm = requires(const T& term, const RodState& state, Gradient& gradient,
                               CurvatureModel& model) {
@@ -23,9 +23,9 @@ concept EnergyTerm = requires(const T& term, const RodState& state, Gradient& gr
   term.add_curvature(state, model);
 };
 
-/// A term that keeps something it finds out about states (a neighbor list) brings it up to date
-/// here, before it is evaluated, and says whether there was something to do. This may change the
-/// cost of an evaluation, never its value.
+/// A term that keeps data about states, such as a neighbor list. `prepare` brings them up to date
+/// before an evaluation, and returns whether there was something to do. It may change the cost of
+/// an evaluation, never its value.
 template <class T>
 concept PreparedTerm = requires(T& term, const RodState& state) {
   { term.prepare(state) } -> std::same_as<bool>;

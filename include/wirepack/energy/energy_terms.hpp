@@ -17,7 +17,7 @@ class EnergyTermRef {
       : term_(const_cast<std::remove_const_t<Term>*>(&term)), calls_(&calls_of<Term>) {}
 
   std::string_view name() const { return calls_->name; }
-  /// Brings up to date what the term keeps about states; false where it keeps nothing.
+  /// Brings up to date what the term keeps about states; false if there was nothing to do.
   bool prepare(const RodState& state) const { return calls_->prepare(term_, state); }
   Energy add_gradient(const RodState& state, Gradient& gradient) const {
     return calls_->add_gradient(term_, state, gradient);
@@ -57,7 +57,7 @@ struct NamedEnergy {
   double energy;
 };
 
-/// List of energy terms that add up; an optional term is an entry more. Itself an energy term.
+/// List of energy terms that add up, and an energy term itself. An optional term is one more entry.
 class EnergyTerms {
  public:
   static constexpr std::string_view name = "total";

@@ -19,15 +19,15 @@ class JointEnergy {
  public:
   static constexpr std::string_view name = "joints";
   explicit JointEnergy(const RodParams& params) : JointEnergy(params, stiffness(params)) {}
-  /// With other stiffnesses than those of the material; a twist stiffness of 0 is the wire whose
-  /// torsion is known to vanish: if it is straight at rest, its energy is a function of the nodes
-  /// and the clamps alone, and the edge frames are not read.
+  /// Takes other stiffnesses than those of the material. A twist stiffness of 0 stands for a wire
+  /// whose torsion is known to vanish. If that is straight when stress-free, its energy is a
+  /// function of the nodes and the clamps alone, and the edge frames are not read.
   JointEnergy(const RodParams& params, const Stiffness& stiffness);
   Energy add_gradient(const RodState& state, Gradient& gradient) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
 
  private:
-  /// No torsion and no rest curvature.
+  /// True without torsion and rest curvature.
   bool of_tangents_alone() const;
 
   RodParams params_;

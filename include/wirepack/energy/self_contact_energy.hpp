@@ -10,28 +10,29 @@
 
 namespace wirepack {
 
-/// How strands repel.
+/// Repulsion between strands.
 struct ContactParams {
   double stiffness =
       5;  ///< k per length of two parallel strands and per overlap [force / length^2]
   double excluded_arc_length = pi;  ///< neighbours along the wire nearer than this do not touch
 };
 
-/// Linear repulsion between strands, shared without bumps by the kernel of line_contact.hpp: the
-/// force per length of two parallel strands is k overlap, the force of a crossing 2 a k overlap,
-/// for any mesh.
+/// Linear repulsion between strands. The force per length of two parallel strands is k overlap, the
+/// force of a crossing 2 a k overlap, on any mesh. The kernel of line_contact.hpp shares it out
+/// among the edges without bumps.
 class SelfContactEnergy {
  public:
   static constexpr std::string_view name = "contact";
   SelfContactEnergy(const RodParams& params, const ContactParams& contact);
-  /// Makes a new neighbor list where the last two do not cover the state; returns whether.
+  /// Makes a new neighbor list if neither of the last two covers the state; returns whether it did.
   bool prepare(const RodState& state);
   Energy add_gradient(const RodState& state, Gradient& gradient) const;
-  /// The same, and replaces `contacts` by what touches, in no particular but always the same order.
+  /// The same, and replaces `contacts` by the pairs that touch, unsorted but always in the same
+  /// order.
   Energy add_gradient(const RodState& state, Gradient& gradient,
                       std::vector<SelfContact>& contacts) const;
   void add_curvature(const RodState& state, CurvatureModel& model) const;
-  /// What touches, sorted by pairs.
+  /// The pairs that touch, sorted.
   std::vector<SelfContact> contacts(const RodState& state) const;
 
  private:
@@ -39,7 +40,7 @@ class SelfContactEnergy {
   LineKernel kernel_;
   double skin_;
   NeighborList list_;
-  NeighborList list_before_;  // a step that was too long is taken back
+  NeighborList list_before_;  // serves again when too long a step is taken back
 };
 
 }  // namespace wirepack

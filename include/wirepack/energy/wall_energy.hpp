@@ -10,9 +10,9 @@ namespace wirepack {
 /// Linear repulsion from the wall: sum over nodes of k l / 2 overlap^2, l the length of wire that
 /// the contact stands for. k is a force per length of wire and per overlap [force / length^2].
 ///
-/// Of an inner node l is the node length, so that results do not depend on the mesh. A free end
-/// that presses on the wall touches with a point: 2 a on any mesh, as at a crossing of strands.
-/// Between that and an end that lies along the wall, at half an edge,
+/// An inner node has its node length as l, so that results do not depend on the mesh. A free end
+/// that stands on the wall touches it at a point: l = 2 a on any mesh, as at a crossing of strands.
+/// An end that lies along the wall has l = half an edge. In general,
 /// l = half an edge + (2 a - half an edge) (t.n)^2, t the tangent of the end's edge and n the
 /// normal of the wall.
 class WallEnergy {

@@ -6,25 +6,25 @@
 
 namespace wirepack {
 
-/// Feeds wire: the rest length of the inlet edge grows by `arc_length`, and every other node starts
-/// where it was. The inlet edge is left compressed, for the minimizer to relax.
+/// Feeds wire: the rest length of the inlet edge grows by `arc_length`, and no node moves. The edge
+/// is left compressed, for the minimizer to relax.
 void insert(RodState& state, double arc_length);
 
 /// Feeds one whole edge of wire (rest length edge_length) by sliding: a homogeneous wire that is
-/// fed moves along itself, so every edge takes the place and the frame of the one ahead of it, and
-/// the edge at the tip goes on with the curvature of the last joint. All but the tip stays at rest,
-/// and the inlet edge keeps its length, so that the force is always read at the same phase of the
-/// mesh.
+/// fed moves along itself. So every edge takes the place and the frame of the one ahead of it, and
+/// the edge at the tip continues the curvature of the joint behind it. All but the tip stays in
+/// equilibrium. The inlet edge keeps its length, so the force is always read at the same phase of
+/// the mesh.
 void slide_one_edge(RodState& state, const RodParams& params);
 
-/// The inlet edge has grown to its longest rest length, and is to be split. The shorter the edge
-/// that is split off, the less energy a split changes: that of an edge without length changes none.
+/// True if the inlet edge has grown to its longest rest length, and is to be split. The shorter the
+/// new inlet edge, the less energy a split changes: one without length changes none.
 bool split_is_due(const RodState& state, double longest);
 
-/// Splits the inlet edge: an edge of rest length edge_length, and the rest of it as the new inlet
-/// edge. The new node lies on the curve through the neighbouring nodes (cubic Hermite, with the
-/// nozzle's direction at the clamp), frames share the twist out in proportion; minimize again
-/// before energies are compared.
+/// Splits the inlet edge into an edge of rest length edge_length and a new, shorter inlet edge. The
+/// new node lies on the curve through the neighbouring nodes (cubic Hermite, with the nozzle's
+/// direction at the clamp). Frames share the twist out in proportion. Minimize again before
+/// energies are compared.
 void split_inlet(RodState& state, const Nozzle& nozzle, const RodParams& params);
 
 }  // namespace wirepack

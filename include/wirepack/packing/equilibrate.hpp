@@ -5,20 +5,21 @@
 
 namespace wirepack {
 
-/// Where a wire has come to rest, and what was found there.
+/// Equilibrium that a wire has come to, and what was found there.
 struct Equilibrium {
-  EquilibriumReport report;  ///< its energy without what went against friction
+  EquilibriumReport report;  ///< its energy leaves out the work against friction
   Observation observed;      ///< of a state that has converged
   SlipWork slip;             ///< since friction has started
 };
 
-/// Friction looks back to this state, its contacts and what the last increment handed on, until the
-/// next equilibrium. Returns what the contacts' springs hold from before.
+/// Starts friction at this state, with its contacts and the memory of the last increment. Slip
+/// counts from here until the next start. Returns the work that the springs of contacts hold.
 SlipWork start_friction(PackingModel& model, const RodState& rod, const Observation& observed,
                         std::span<const SlipMemory> memory);
 
-/// Brings `rod`, fed from the equilibrium `before`, to a minimum. Contacts that form on the way
-/// take part from where they came into touch, until none joins any more.
+/// Brings `rod`, fed from the equilibrium `before`, to a minimum. Repeats the minimization until no
+/// new contact joins: with friction, contacts that form on the way rub from where they came into
+/// touch.
 Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod);
 
 }  // namespace wirepack

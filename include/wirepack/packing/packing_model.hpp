@@ -12,9 +12,9 @@
 
 namespace wirepack {
 
-/// What a scenario is made of: the wire and the nozzle of its seed, the energy terms, and how an
-/// equilibrium is looked for in its units. Terms refer to each other's place, so a model stays
-/// where it is.
+/// Model of a scenario: the wire and the nozzle that its seed draws, the energy terms, and the
+/// options of its equilibria in its units. `terms` refers to members by their place, so a model
+/// cannot be copied or moved.
 struct PackingModel {
   /// `extra` are terms of the caller's own; they must outlive the model.
   explicit PackingModel(const Scenario& scenario, const EnergyTerms& extra = {});
@@ -22,7 +22,7 @@ struct PackingModel {
   PackingModel& operator=(const PackingModel&) = delete;
 
   Scenario scenario;  ///< as configured
-  RodParams wire;     ///< with the rest shape that the seed makes
+  RodParams wire;     ///< with the rest shape that the seed draws
   Nozzle nozzle;
   StretchEnergy stretch;
   JointEnergy joints;
@@ -35,17 +35,16 @@ struct PackingModel {
   bool has_friction() const { return scenario.friction.model != FrictionModel::none; }
 };
 
-/// Brings the wire to a minimum of the energy and of what friction dissipates on the way.
+/// Brings the wire to an equilibrium: the energy plus what friction dissipates is minimized.
 EquilibriumReport minimize(PackingModel& model, RodState& rod);
 
-/// Moves a wire that has come to rest on a saddle down from it; see leave_saddle
-/// (solve/stability.hpp).
+/// Moves a wire whose equilibrium is a saddle down from it; see leave_saddle (solve/stability.hpp).
 bool leave_saddle(PackingModel& model, RodState& rod, EquilibriumReport& report);
 
-/// Brings the tip nearly to rest, all else held. A tip that has been pushed on may stick in the
-/// wall or in a strand, with more energy than the whole wire has. Relaxing a few nodes there first
-/// keeps that local energy from disturbing the whole wire. Nothing for a wire that is hardly more
-/// than a tip.
+/// Brings the tip nearly to equilibrium, all else held. A tip that has been pushed on may stick in
+/// the wall or in a strand, with more energy than the whole wire has. Relaxing a few nodes there
+/// first keeps that local energy from disturbing the whole wire. Leaves a wire alone that is hardly
+/// longer than its tip.
 SolverWork settle_tip(PackingModel& model, RodState& rod);
 
 }  // namespace wirepack

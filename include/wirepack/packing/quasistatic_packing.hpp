@@ -15,28 +15,29 @@ namespace wirepack {
 
 struct PackingModel;
 
-/// An increment is taken in halves where it fails; a part this small that fails ends the run.
+/// Smallest part of an increment that is tried. An increment that fails is halved; the run ends if
+/// this part fails too.
 inline constexpr double smallest_substep = 1.0 / 64;
 
-/// One quasi-static packing run, an increment at a time; the caller records what it gets and can
-/// stop or save `progress()` between any two increments. Feed, minimize, check, observe.
+/// One quasi-static packing run, an increment at a time. The caller records the rows, and may stop
+/// or save `progress()` between any two increments.
 class QuasistaticPacking {
  public:
-  /// From a straight wire in the nozzle. `extra` are energy terms of the caller's own, by
+  /// Starts from a straight wire in the nozzle. `extra` are energy terms of the caller's own, by
   /// reference. Throws InvalidInput when the scenario is not valid.
   explicit QuasistaticPacking(const Scenario& scenario, const EnergyTerms& extra = {});
   ~QuasistaticPacking();
   QuasistaticPacking(QuasistaticPacking&&) noexcept;
-  /// Goes on from a saved progress of the same scenario.
+  /// Continues from a saved progress of the same scenario.
   QuasistaticPacking(const Scenario& scenario, PackingProgress progress,
                      const EnergyTerms& extra = {});
 
-  /// The next increment. After no_equilibrium or strands_passed it has no row, and the progress is
-  /// that of the last good increment. Throws NumericalFailure.
+  /// Runs the next increment. After no_equilibrium or strands_passed there is no row, and the
+  /// progress is that of the last good increment. Throws NumericalFailure.
   Advance advance();
 
   const PackingProgress& progress() const { return progress_; }
-  /// phi has grown by output.frame_every_density since the last frame that was taken.
+  /// True if phi has grown by output.frame_every_density since the last frame was taken.
   bool frame_is_due() const;
   PackingFrame take_frame();
 

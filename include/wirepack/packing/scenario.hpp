@@ -43,8 +43,8 @@ struct DynamicsOptions {
   std::optional<double> time_step;        ///< "auto": from the stiffest mode [time]
 };
 
-/// What the seed makes of the wire and the nozzle, so that runs with different seeds are
-/// independent: amplitudes of uniform distributions (see drawn_setup).
+/// Amplitudes of imperfections that the seed draws from uniform distributions (see drawn_setup), so
+/// that runs with different seeds are independent.
 struct ImperfectionOptions {
   double natural_curvature = 0;  ///< rest curvature of the wire, over 1 / R
   double nozzle_offset = 0;      ///< of the nozzle along the wall, over the wire radius
@@ -76,7 +76,7 @@ struct Scenario {
   OutputOptions output;
 };
 
-/// The scenario of the paper's setup in a sphere of radius R, every other value at its default:
+/// The scenario of the paper's setup in a cavity of radius R, every other value at its default:
 /// low torsion is a straight wire free to rotate in the nozzle, high torsion a wire of rest
 /// curvature 1 / (2 R) whose rotation is blocked. Edges are R / 10 long, R / 20 in high torsion
 /// (whose force is so small that the mesh at the inlet shows sooner), but a/2 at least and 2 a at

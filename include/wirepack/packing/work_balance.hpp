@@ -4,10 +4,12 @@
 
 namespace wirepack {
 
-/// int F dL against the energy: work = energy + released + remeshing + friction + contact_springs +
-/// viscous + residue.
+/// Balance of int F dL: work = energy + released + remeshing + friction + contact_springs + viscous
+/// + residue.
 struct WorkBalance {
-  double work = 0;       ///< trapezoidal sum of the explicit force over the inserted length
+  /// Energy of the wire that was inside at the start, plus the trapezoidal sum of the force over
+  /// the inserted length. Runs in time add the work of the viscous medium.
+  double work = 0;
   double released = 0;   ///< lost in snaps
   double remeshing = 0;  ///< energy that splits of the inlet edge have taken away (may be < 0)
   double friction = 0;   ///< dissipated by friction
@@ -15,21 +17,21 @@ struct WorkBalance {
   double viscous = 0;          ///< dissipated by viscous forces
 };
 
-/// What of the work has gone nowhere; `last` is the row up to which the balance goes.
+/// Work that none of the other terms accounts for. `last` is the row at which the balance is drawn.
 inline double residue(const WorkBalance& balance, const HistoryRow& last) {
   return balance.work - last.energy_total - last.energy_kinetic - balance.released -
          balance.remeshing - balance.friction - balance.contact_springs - balance.viscous;
 }
 
-/// What the increments so far say of the errors of the work.
+/// Errors of the work, estimated from the increments so far.
 struct WorkErrors {
-  /// Share of the work over a whole edge that the mesh at the inlet keeps: a mean over the last
-  /// edges.
+  /// Steady error of the work over a whole edge, which reads the force at one phase of the mesh
+  /// only; over that work, a mean over the last edges.
   double edge_share = 0;
-  double trapezoid = 0;  ///< of the work so far: residue beyond what the mesh keeps
+  double trapezoid = 0;  ///< all other error of the work so far [energy]
 };
 
-/// An increment from rest to rest.
+/// An increment from equilibrium to equilibrium.
 struct WorkStep {
   double fed;                  ///< inserted length
   double force_before, force;  ///< explicit, at both ends
@@ -40,18 +42,19 @@ struct WorkStep {
 
 struct WorkBooking {
   double released;  ///< by a snap
-  bool resolved;    ///< false: the increment should be repeated in halves, as the work is not known
+  bool resolved;    ///< false: the work is not known well enough, so the increment should be halved
 };
 
-/// Adds the increment's work to the balance, and puts what int F dL misses of the change of energy
-/// down to a snap or to the error of the trapezoid. It is a snap where no monotonous force between
-/// both ends could do the same. Of a whole edge the force is read at one phase of the mesh only,
-/// where it is steadily off; parts of an edge have to tell that from a snap.
+/// Adds the increment's work to the balance. Splits the difference between int F dL and what the
+/// increment spent into energy released by a snap and error of the trapezoidal rule. It is a snap
+/// if no force that is monotonic between both ends explains it. A whole edge never counts as a
+/// snap: the force is read at one phase of the mesh only and has a steady error there, which only
+/// parts of an edge can tell from a snap.
 WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors);
 
-/// Puts what a split of the inlet edge has taken away (negative: added) down to the mesh, or to a
-/// snap that it set off where it is more than a tenth of `edge_work`, the work over an edge.
-/// Returns what was released by a snap.
+/// Books the energy that a split of the inlet edge has taken away (negative: added) as remeshing.
+/// If it is more than a tenth of `edge_work`, the work over an edge, the split has set off a snap,
+/// and it is booked as released. Returns what was released.
 double book_split(double taken, double edge_work, WorkBalance& balance);
 
 }  // namespace wirepack

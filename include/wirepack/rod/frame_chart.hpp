@@ -12,21 +12,22 @@ namespace wirepack {
 struct HeldUnknowns {
   std::vector<bool> coordinate;  ///< 3 N: x, y, z of each node
   std::vector<bool> angle;       ///< one per frame: rotation about its own tangent
-  /// False: set_state leaves the edge frames where they are, for energies that read positions
-  /// alone; carry_frames() (rod_state.hpp) brings them along afterwards. Needs every angle held.
+  /// False: set_state leaves the edge frames as they are, for energies that read positions alone.
+  /// Call carry_frames() (rod_state.hpp) afterwards. Needs every angle held.
   bool frames_follow = true;
 
   static HeldUnknowns none(const RodState& state);
   void hold_node(Index node);
 };
 
-/// Flat unknowns x <-> state: positions, and for each frame its twist angle relative to the frame
-/// that parallel transport from the reference tangent t0 gives (Bergou et al. 2010). The spin of
-/// an edge frame is t x dt + t (d theta - (t0 x t).dt / (1 + t0.t)), exact for any x; t0 = -t is
-/// singular, so make a new chart before an edge has turned far.
+/// Flat unknowns x <-> state: positions, and a twist angle theta for each frame. The angle is
+/// relative to the frame that parallel transport from the reference tangent t0 gives (Bergou et al.
+/// 2010). The spin of an edge frame is t x dt + t (d theta - (t0 x t).dt / (1 + t0.t)), exact for
+/// any x. It is singular at t = -t0, so make a new chart before an edge has turned far.
 ///
-/// Unknowns are numbered along the wire, in slots of four per node: x, y, z, angle of the edge that
-/// starts there; the last clamp takes the free slot of the last node, the first clamp comes last.
+/// Unknowns are numbered along the wire, in four slots per node: x, y, z and the angle of the edge
+/// that starts there. An open wire has no edge at its last node: the last clamp takes that slot.
+/// The first clamp comes last.
 class FrameChart {
  public:
   FrameChart(RodState reference, const HeldUnknowns& held);
@@ -54,20 +55,22 @@ class FrameChart {
                  Eigen::VectorXd& out) const;
 
   /// Frames that angles are counted from, and their tangents (3 x frames): those of the reference,
-  /// or those turned by what a chart upon this one knows.
+  /// or turned ones, which a chart built on this one supplies (TurningChart).
   struct Start {
     std::span<const Quat> frames;
     const Points& tangents;
   };
   Start start() const { return {reference_.frames, reference_tangents_}; }
-  /// Frames of a state whose nodes are set, from the angles of all frames. If frames follow.
+  /// Sets the frames of a state, whose nodes are set, from the angles of all frames. Only for
+  /// charts whose frames follow.
   void set_frames(const Start& start, const Eigen::VectorXd& angle, RodState& out) const;
-  /// Adds what follows from the spins to derivatives by nodes, and sets those by angles, at a fixed
-  /// start.
+  /// Converts derivatives by spins (3 x frames) at a fixed start: sets those by angles and adds to
+  /// those by nodes.
   void pull_back_frames(const Start& start, const RodState& state, const Points& by_frame,
                         Points& by_node, Eigen::VectorXd& by_angle) const;
 
-  /// Vectors by nodes (3 x N) <-> the coordinates among unknowns; what is held stays as it is.
+  /// Copies the coordinates among the unknowns into vectors by nodes (3 x N), and back. Held
+  /// coordinates stay as they are.
   void scatter(const Eigen::VectorXd& by_unknown, Points& by_node) const {
     for (const Run& run : runs_) {
       const double* const from = by_unknown.data() + run.unknown;
@@ -82,11 +85,11 @@ class FrameChart {
       for (Index k = 0; k < run.count; ++k) to[k] = from[k];
     }
   }
-  /// The same for angles of all frames; a held one is 0.
+  /// The same for the angles of all frames; scatter_angles sets held ones to 0.
   void scatter_angles(const Eigen::VectorXd& by_unknown, Eigen::VectorXd& by_frame) const;
   void gather_angles(const Eigen::VectorXd& by_frame, Eigen::VectorXd& by_unknown) const;
-  /// Coordinates that are no unknowns set to those of the reference, or of a derivative by nodes to
-  /// 0.
+  /// Sets held coordinates to those of the reference, and held components of a derivative by nodes
+  /// to 0.
   void restore_held(Points& nodes) const {
     for (const Index k : held_coordinates_) nodes.data()[k] = reference_.nodes.data()[k];
   }

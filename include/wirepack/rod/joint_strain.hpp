@@ -18,14 +18,15 @@ struct JointStrainOf {
   Triple<T> bend1_by_spin, bend2_by_spin, twist_by_spin;
 };
 
-/// The relative quaternion p = conj(q_before) q_after = (w, x, y, z) is a turn of the tangent
-/// between two halves of a twist; bending is 2 (x, y) / sqrt(w^2 + z^2), of length
-/// 2 tan(angle / 2), in the frame half-way through the twist, and twist is 2 atan2(z, w). Bending
-/// is thus independent of the relative twist (averaged directors of the two edges are not, and open
-/// a hinge), and it grows without bound towards a turn of pi.
+/// Strain from the relative quaternion p = conj(q_before) q_after = (w, x, y, z). This is half of
+/// the twist, a turn of the tangent, and the other half of the twist. Bending is
+/// 2 (x, y) / sqrt(w^2 + z^2) in the frame half-way through the twist, of length 2 tan(angle / 2);
+/// twist is 2 atan2(z, w). Bending is thus independent of the relative twist, and grows without
+/// bound towards a turn of pi. (Averaged directors of the two edges depend on the twist, and open
+/// a hinge.)
 ///
 /// `twist_guide` picks the whole turns: the twist returned is within pi of it. p and -p are the
-/// same rotation; the one taken is that whose twist, up to full cycles of 4 pi, is so, and the
+/// same rotation. The one with the returned twist is taken, up to full cycles of 4 pi, so the
 /// half-way frame in which bending is measured turns continuously with the twist.
 template <class T>
 [[gnu::always_inline]] inline JointStrainOf<T> joint_strain(const QuatOf<T>& before,
@@ -33,7 +34,7 @@ template <class T>
                                                             const T& twist_guide) {
   using std::floor, std::sqrt;
   const QuatOf<T> p = before.conjugate() * after;
-  const T half_turn = select(p.w < 0.0, T(-1.0), T(1.0));  // twist from here on within pi
+  const T half_turn = select(p.w < 0.0, T(-1.0), T(1.0));  // makes the twist at most pi
   const T raw = 2.0 * arctangent(half_turn * p.z, half_turn * p.w);
   const T turns = floor((twist_guide - raw) / (2 * pi) + 0.5);
   const T sign = select(floor(0.5 * turns) == 0.5 * turns, half_turn, -half_turn);

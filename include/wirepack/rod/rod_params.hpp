@@ -17,7 +17,7 @@ struct RodParams {
   double stretch_multiplier = 1;     ///< scales YA alone; > 1 approaches the inextensible wire
   double edge_length = 1;            ///< rest length l of every edge but the inlet edge
   Vec3 rest_darboux = Vec3::Zero();  ///< (k1, k2, k3) of the stress-free shape [1 / length]
-  ReferenceShape reference_shape;    ///< bends the wire beyond that, along its length; may be empty
+  ReferenceShape reference_shape;    ///< adds a k0 that varies along the wire; may be empty
 };
 
 /// Stiffnesses of the Kirchhoff rod (Stoop et al. 2011, Eq. 1).
