@@ -21,8 +21,8 @@ struct Nozzle {
   TwistCondition twist = TwistCondition::free;
 };
 
-/// Where a nozzle is and points to. What is not set is that of a nozzle at the pole of the z axis,
-/// along the inward normal, where a clamped node just touches the wall: in a sphere at (0, 0, R - a).
+/// Where a nozzle is and points to. By default it is at the pole of the z axis, where a clamped
+/// node just touches the wall (in a sphere at (0, 0, R - a)), and feeds along the inward normal.
 struct NozzleOptions {
   TwistCondition twist = TwistCondition::free;
   std::optional<Vec3> position = std::nullopt;  ///< where it enters the cavity [length]
