@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
@@ -153,8 +154,10 @@ Energies energies(PackingModel& model, RodState rod) {
   Gradient gradient;
   set_zero(gradient, rod);
   Numbers found;
-  for (const NamedEnergy& term : terms.breakdown(rod, gradient)) {
-    found.emplace(term.name, term.energy);
+  for (const auto& [name, energy] : terms.breakdown(rod, gradient)) {
+    if (!std::isfinite(energy))
+      throw NumericalFailure(fmt::format("the {} energy is not finite", name));
+    found.emplace(name, energy);
   }
   found.erase(std::string(JointEnergy::name));  // kept apart, as in the history
   const JointEnergies apart = joint_energies(model.wire, rod);

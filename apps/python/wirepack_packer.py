@@ -24,8 +24,12 @@ class NoEquilibrium(RuntimeError):
 
 def _rows(values, name, columns, least):
     """An array of at least so many rows of finite numbers."""
-    rows = numpy.asarray(values)
-    if rows.dtype.kind not in "biuf":
+    try:
+        rows = numpy.asarray(values)
+        real = rows.dtype.kind in "biuf"
+    except ValueError:  # rows of unequal length
+        real = False
+    if not real:
         raise ValueError(f"{name}: is no array of real numbers")
     if rows.ndim != 2 or rows.shape[1] != columns or len(rows) < least:
         raise ValueError(f"{name}: has the shape {rows.shape}; "
@@ -39,7 +43,11 @@ def _rows(values, name, columns, least):
 def _observable(function):
     @functools.wraps(function)
     def observable(position, *arguments, **options):
-        return function(_rows(position, "position", 3, 3), *arguments, **options)
+        position = _rows(position, "position", 3, 3)
+        try:
+            return function(position, *arguments, **options)
+        except TypeError as error:  # without all numbers of all arguments
+            raise TypeError(str(error).split("\nInvoked with")[0].strip()) from None
     return observable
 
 
@@ -61,7 +69,9 @@ def _toml(value):
 
 def _assignments(values, path=""):
     """"section.key = value" of a dict of sections, of keys, or of both."""
-    for key, value in (values or {}).items():
+    if not isinstance(values, dict):
+        raise TypeError(f"{values!r}: must be a dict")
+    for key, value in values.items():
         if isinstance(value, dict):
             yield from _assignments(value, f"{path}{key}.")
         else:
@@ -72,7 +82,7 @@ class Energy:
     """Energy of a wire and its derivatives.
 
     terms: stretch, bend, twist, wall and contact [force length]; total: their sum.
-    gradient: by the positions (N x 3) [force]; frames follow their edges by the smallest rotations.
+    gradient: by the positions, at the quaternions that were given (N x 3) [force].
     moment: by the turning of each edge about itself (N - 1) [force length].
     force: by the length of the wire at the nozzle, the injection force [force].
     """
@@ -110,16 +120,16 @@ class Packer(wirepack.Run):
     """
 
     def __init__(self, config, set=None, output=None, resume=False, replace=False):
-        self._configuration = _configuration(config, list(_assignments(set)))
+        self._configuration = _configuration(config, list(_assignments(set or {})))
         if resume and replace:
             raise ValueError("resume and replace exclude each other")
         if output is None:
             folder = tempfile.mkdtemp(prefix="wirepack-")
             weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
             output = Path(folder, "result.h5")
-        _wirepack._output_file(output, self._configuration.inputs, resume or replace,
-                               "resume=True goes on from it, replace=True begins anew")
         self.path, self.unconverged = Path(output), False
+        _wirepack._output_file(self.path, self._configuration.inputs, resume or replace,
+                               "resume=True goes on from it, replace=True begins anew")
         for warning in self._configuration.warnings:
             warnings.warn(warning, stacklevel=2)
         self._run("Packer()", {}, 0, "go_on" if resume else "replace" if replace else "refuse")
@@ -167,17 +177,22 @@ class Packer(wirepack.Run):
         return wirepack.Frame(values, values)
 
     def energy(self, position=None, quaternion=None, inserted_length=None):
-        """The Energy of a wire in this cavity and nozzle: as it is now, or at other positions.
+        """The Energy of a wire in this cavity and nozzle: as it is, of a frame, or at positions.
 
-        position: N x 3, from the tip to the nozzle. quaternion: frames of the edges (N - 1 x 4,
-        scalar first), carried onto the edges; without, there is no twist from the nozzle on.
-        inserted_length: of the unstretched wire; without, that of N - 1 whole edges.
+        position: N x 3, from the tip to the nozzle; or a Frame. quaternion: frames of the edges
+        (N - 1 x 4, scalar first), carried onto the edges by the smallest rotations; without, there
+        is no twist from the nozzle on. inserted_length: of the unstretched wire; without, that of
+        N - 1 whole edges.
         """
         if position is None:
             return Energy(*_wirepack._energies_now(self._configuration, self.path))
+        if isinstance(position, wirepack.Frame):
+            return self.energy(position.position, position.quaternion, position.inserted_length)
         position = _rows(position, "position", 3, 3)
         if quaternion is not None:
             quaternion = _rows(quaternion, "quaternion", 4, 2)
+        if inserted_length is not None:
+            inserted_length = float(inserted_length)
         return Energy(*_wirepack._energies_at(self._configuration, position, quaternion,
                                               inserted_length))
 

@@ -10,6 +10,7 @@ import threading
 import tomllib
 import unittest
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
@@ -18,6 +19,7 @@ from support import SMALL_RUN, ProgramTest, differing
 sys.path.insert(0, os.environ["WIREPACK_READER"])
 import wirepack  # noqa: E402
 
+RUN = SMALL_RUN.replace("checkpoint_every_seconds = 0", "frame_every_density = 0.01")
 SETUPS = ("low_torsion", "high_torsion")
 
 
@@ -35,7 +37,7 @@ class PackerTest(ProgramTest):
         before = os.getcwd()
         os.chdir(self.folder)
         self.addCleanup(os.chdir, before)
-        self.write("run.toml", SMALL_RUN)
+        self.write("run.toml", RUN)
 
     def run_it(self, output, *arguments):
         code, _, err = self.run_program("run", "run.toml", "-o", output, *arguments)
@@ -64,7 +66,7 @@ class Packing(PackerTest):
     def test_a_limit_is_that_of_the_program(self):
         for limit in ("density=0.123", "length=9.7", "scaled_force=0.4", "force=0.01"):
             name, value = limit.split("=")
-            self.write("run.toml", SMALL_RUN.replace("increments = 60", limit))
+            self.write("run.toml", RUN.replace("increments = 60", limit))
             packer = wirepack.Packer({"cavity": {"radius": 4}})
             self.assertEqual(packer.advance(**{name: float(value)}), name)
             program = wirepack.Run(self.run_it(f"{name}.h5"))
@@ -74,8 +76,8 @@ class Packing(PackerTest):
         changed = {"cavity.radius": numpy.float64(5), "packing": {"setup": "high_torsion"}}
         runs = [
             wirepack.Packer("run.toml", set=changed),
-            wirepack.Packer(SMALL_RUN, set=changed),
-            wirepack.Packer(tomllib.loads(SMALL_RUN), set=changed),
+            wirepack.Packer(RUN, set=changed),
+            wirepack.Packer(tomllib.loads(RUN), set=changed),
         ]
         runs.append(wirepack.Packer(runs[0].config))
         for run in runs:
@@ -84,7 +86,7 @@ class Packing(PackerTest):
         self.assertEqual(runs[0].config["packing"]["setup"], "high_torsion")
         rows = [[0, 0, 0.1, 0], [1, 0, 0.1, 0]]
         shape = {"wire.reference_shape": rows, "wire.reference_shape_beyond": "extend"}
-        shaped = wirepack.Packer(SMALL_RUN, shape)
+        shaped = wirepack.Packer(RUN, shape)
         self.assertEqual(shaped.config["wire"]["reference_shape"], rows)
 
     def test_the_program_goes_on_with_a_result_and_is_gone_on_with(self):
@@ -130,6 +132,17 @@ class Packing(PackerTest):
         whole = wirepack.Run("whole.h5").history.force
         self.assertEqual(whole.tobytes(), packer.history.force.tobytes())
 
+    def test_packers_in_threads_find_what_they_find_alone(self):
+        def force(seed):
+            packer = wirepack.Packer("run.toml", {"packing.seed": seed})
+            packer.advance(increments=20)
+            return packer.history.force.tobytes()
+
+        alone = [force(1), force(2)]
+        self.assertNotEqual(*alone)
+        with ThreadPoolExecutor(4) as pool:
+            self.assertEqual(list(pool.map(force, [1, 2] * 4)), alone * 4)
+
     def test_no_equilibrium_is_an_error_and_keeps_what_was_found(self):
         settings = {"minimizer.max_evaluations": 3}
         packer = wirepack.Packer("run.toml", settings, output="lost.h5")
@@ -158,8 +171,7 @@ class Energies(PackerTest):
             self.assertLessEqual(abs(energy.gradient[:-1]).max(), 1.001 * tolerance)
             self.assertGreater(abs(energy.gradient[-1]).max(), 100 * tolerance)  # the nozzle's
             self.assertEqual((energy.gradient.unit, energy.moment.unit), ("force", "force length"))
-            # The nozzle's frame, which a saved frame lacks, is known in both setups.
-            same = packer.energy(frame.position, frame.quaternion, frame.inserted_length)
+            same = packer.energy(frame)  # without the nozzle's frame, known in both setups
             self.assertAlmostEqual(same.total, energy.total, delta=1e-12 * scale)
             numpy.testing.assert_allclose(same.gradient, energy.gradient, atol=1e-3 * tolerance)
 
@@ -284,8 +296,11 @@ class Refusals(PackerTest):
                 wirepack.Packer(config)
         with self.assertRaisesRegex(ValueError, "set: cavity.radius = nan"):
             wirepack.Packer("run.toml", set={"cavity.radius": float("nan")})
-        with self.assertRaisesRegex(TypeError, "int"):
-            wirepack.Packer(4)
+        for wrong in (lambda: wirepack.Packer(4), lambda: wirepack.Packer("run.toml", set="x=1"),
+                      lambda: wirepack.Packer("run.toml", output=4),
+                      lambda: wirepack.writhe(numpy.eye(3), shut=True)):
+            with self.assertRaisesRegex(TypeError, r"int|'x=1': must be a dict|closed: bool"):
+                wrong()
         packer = wirepack.Packer("run.toml")
         for limits, kind, message in (
             ({"density": -1}, ValueError, "stop.density = -1: must be"),
@@ -337,11 +352,13 @@ class Refusals(PackerTest):
                 (infinite, r"position\[2\]: is not finite"),
                 (good * 1j, "position: is no array of real numbers"),
                 ("wire", "position: is no array of real numbers"),
+                ([[1, 2], [3]], "position: is no array of real numbers"),
             ):
                 with self.assertRaisesRegex(ValueError, message):
                     call(bad)
-        with self.assertRaisesRegex(wirepack.NumericalFailure, "edge 1 has no length"):
-            packer.energy(met)
+        for bad, message in ((met, "edge 1 has no length"), (good * 1e200, "energy is not finite")):
+            with self.assertRaisesRegex(wirepack.NumericalFailure, message):
+                packer.energy(bad)
         frames = numpy.tile([1.0, 0, 0, 0], (3, 1))
         for bad, message in (
             (frames[:2], "quaternion: has 2 rows; must have one for each of the 3 edges"),
