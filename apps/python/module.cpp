@@ -1,10 +1,12 @@
 #include "module.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 #include <system_error>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/plain_text.hpp"
+#include "wirepack/core/threads.hpp"
 
 namespace wirepack {
 
@@ -28,6 +30,13 @@ void translate(std::exception_ptr thrown) {
 }
 
 }  // namespace
+
+Threads::Threads(int count) : before_(omp_get_max_threads()) {
+  if (count < 1) throw InvalidInput(fmt::format("threads = {}: must be 1 or more", count));
+  use_threads(count);
+}
+
+Threads::~Threads() { use_threads(before_); }
 
 void set_frames(const Quaternions& quaternion, RodState& rod) {
   if (quaternion.rows() != rod.edge_count()) {

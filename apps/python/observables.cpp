@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 
 #include "wirepack/core/error.hpp"
-#include "wirepack/core/threads.hpp"
 #include "wirepack/observe/coil_report.hpp"
 #include "wirepack/observe/knot.hpp"
 #include "wirepack/observe/loop_sizes.hpp"
@@ -30,11 +29,13 @@ void require_positive(double value, const char* name) {
   throw InvalidInput(fmt::format("{} = {}: must be above 0", name, value));
 }
 
-double writhe_of(const Positions& position, bool closed) {
+double writhe_of(const Positions& position, bool closed, int threads) {
+  const Threads shared(threads);
   return crossing_sums(position.transpose(), closed).writhe;
 }
 
-double average_crossings(const Positions& position, bool closed) {
+double average_crossings(const Positions& position, bool closed, int threads) {
+  const Threads shared(threads);
   return crossing_sums(position.transpose(), closed).average_crossing_number;
 }
 
@@ -51,7 +52,8 @@ std::tuple<std::string, std::uint32_t, Index> knot(const Positions& position, bo
   return {found.name, found.determinant, found.crossings};
 }
 
-std::map<std::string, double> coils(const Positions& position, const Vec3& feed) {
+std::map<std::string, double> coils(const Positions& position, const Vec3& feed, int threads) {
+  const Threads shared(threads);
   const CoilReport found = coil_report(rod(position), feed.normalized());
   return {{"axis_order", found.axis_order},
           {"feed_alignment", found.feed_alignment},
@@ -102,19 +104,19 @@ Eigen::VectorXd vector(const std::vector<double>& values) {
 
 void add_observables(py::module_& module) {
   const auto add = [&](const char* name, auto function, auto... arguments) {
-    module.def(name, function, "position"_a, arguments...,
-               py::call_guard<py::gil_scoped_release>());
+    module.def(name, function, "position"_a, arguments..., py::call_guard<Computing>());
   };
   const auto open = "closed"_a = false;
-  add("writhe", writhe_of, open, "Writhe of a polygon. Costs N^2.");
-  add("average_crossings", average_crossings, open,
+  const auto one = "threads"_a = 1;
+  add("writhe", writhe_of, open, one, "Writhe of a polygon. Costs N^2.");
+  add("average_crossings", average_crossings, open, one,
       "Crossings of a polygon that are seen, mean over all directions. Costs N^2.");
   add("twist", twist, "quaternion"_a, open,
       "Twist of all joints in turns, from the frames of the edges (scalar first).");
   add("knot_type", knot, open,
       "(name, determinant, crossings left) of a polygon's knot; an open one is closed far "
       "outside.");
-  add("coils", coils, "feed"_a = Vec3(0, 0, 1),
+  add("coils", coils, "feed"_a = Vec3(0, 0, 1), one,
       "axis_order, feed_alignment and reversals of the coils of a wire fed along `feed`, its "
       "writhe "
       "and average_crossings. Costs N^2.");
@@ -139,13 +141,6 @@ void add_observables(py::module_& module) {
   add("order_by_shell", order, "cavity_radius"_a, "width"_a,
       "Nematic order of the tangents in shells along the wall of a sphere, the outermost first: "
       "rows inner, outer, edges, order.");
-  module.def(
-      "use_threads",
-      [](int count) {
-        require_positive(count, "count");
-        use_threads(count);
-      },
-      "count"_a, "Threads to compute with from now on; their number never changes a result.");
 }
 
 }  // namespace wirepack

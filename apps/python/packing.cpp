@@ -28,12 +28,6 @@ using Path = std::filesystem::path;
 using Texts = std::vector<std::string>;
 using Numbers = std::map<std::string, double>;
 
-template <class F>
-auto unlocked(F&& f) {
-  const py::gil_scoped_release release;
-  return f();
-}
-
 // Assignments of a configuration, and those that take their place.
 std::vector<ConfigOverride> overrides(const Texts& config, const Texts& set) {
   std::vector<ConfigOverride> result;
@@ -53,11 +47,9 @@ StopLimits stop_limits(const Numbers& given) {
 // Begins a result, or goes on with it: to the limits of the configuration or, where some are given,
 // to those, and by at most so many increments. A signal such as Ctrl-C ends it between two. Returns
 // the limit that was reached, warnings, and what else was said.
-std::tuple<std::optional<std::string>, Texts, Texts> run(const Configuration& config,
-                                                         const Path& file, Existing existing,
-                                                         const std::string& call,
-                                                         const Numbers& limits,
-                                                         std::optional<std::int64_t> increments) {
+std::tuple<std::optional<std::string>, Texts, Texts> run(
+    const Configuration& config, const Path& file, Existing existing, const std::string& call,
+    const Numbers& limits, std::optional<std::int64_t> increments, int threads) {
   Scenario scenario = config.scenario;
   if (!limits.empty()) scenario.stop = stop_limits(limits);
   const RecordOptions options{
@@ -75,7 +67,11 @@ std::tuple<std::optional<std::string>, Texts, Texts> run(const Configuration& co
     interrupted = PyErr_CheckSignals() != 0;
     return interrupted;
   };
-  const RecordedRun found = unlocked([&] { return run_recorded(scenario, file, options, hooks); });
+  const RecordedRun found = [&] {
+    const Computing computing;
+    const Threads shared(threads);
+    return run_recorded(scenario, file, options, hooks);
+  }();
   if (interrupted) throw py::error_already_set();
   std::optional<std::string> limit;
   if (found.stop) limit = std::string(name_of(*found.stop));
@@ -84,6 +80,7 @@ std::tuple<std::optional<std::string>, Texts, Texts> run(const Configuration& co
 
 // The wire where a result has come to, in the units of the scenario.
 PackingFrame frame_now(const Configuration& config, const Path& file) {
+  const Computing computing;
   return PackingRun(config.scenario, Hdf5Reader(file).progress()).take_frame();
 }
 
@@ -97,7 +94,7 @@ Quaternions quaternions(const RodState& rod) {
 }
 
 py::dict frame_values(const Configuration& config, const Path& file) {
-  const PackingFrame frame = unlocked([&] { return frame_now(config, file); });
+  const PackingFrame frame = frame_now(config, file);
   const auto count = static_cast<Index>(frame.contacts.size());
   Eigen::Matrix<std::int64_t, Eigen::Dynamic, 2> pairs(count, 2);
   Eigen::VectorXd forces(count);
@@ -188,7 +185,6 @@ Energies energies_now(const Configuration& config, const Path& file) {
 }  // namespace
 
 void add_packing(py::module_& module) {
-  using Unlocked = py::call_guard<py::gil_scoped_release>;
   py::enum_<Existing>(module, "_Existing")
       .value("refuse", Existing::refuse)
       .value("replace", Existing::replace)
@@ -210,8 +206,8 @@ void add_packing(py::module_& module) {
   });
   module.def("_run", run);
   module.def("_frame", frame_values);
-  module.def("_energies_at", energies_at, Unlocked());
-  module.def("_energies_now", energies_now, Unlocked());
+  module.def("_energies_at", energies_at, py::call_guard<Computing>());
+  module.def("_energies_now", energies_now);
 }
 
 }  // namespace wirepack

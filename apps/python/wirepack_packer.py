@@ -15,7 +15,7 @@ from pathlib import Path
 import _wirepack
 import numpy
 import wirepack
-from _wirepack import NumericalFailure, use_threads  # noqa: F401
+from _wirepack import NumericalFailure  # noqa: F401
 
 
 class NoEquilibrium(RuntimeError):
@@ -113,13 +113,14 @@ class Packer(wirepack.Run):
     set: values that take the place of those, such as {"cavity.radius": 5}.
     output: the result file, kept up to date meanwhile; without, it is a temporary one. resume goes
     on from what is there, replace begins anew.
+    threads: to compute with; their number never changes a result.
 
     Errors have the messages of the program: ValueError for what it refuses, OSError for trouble
     with files, NumericalFailure and NoEquilibrium, which are RuntimeErrors. Warnings are
     UserWarnings.
     """
 
-    def __init__(self, config, set=None, output=None, resume=False, replace=False):
+    def __init__(self, config, set=None, output=None, resume=False, replace=False, threads=1):
         self._configuration = _configuration(config, list(_assignments(set or {})))
         if resume and replace:
             raise ValueError("resume and replace exclude each other")
@@ -127,7 +128,7 @@ class Packer(wirepack.Run):
             folder = tempfile.mkdtemp(prefix="wirepack-")
             weakref.finalize(self, shutil.rmtree, folder, ignore_errors=True)
             output = Path(folder, "result.h5")
-        self.path, self.unconverged = Path(output), False
+        self.path, self.unconverged, self.threads = Path(output), False, threads
         _wirepack._output_file(self.path, self._configuration.inputs, resume or replace,
                                "resume=True goes on from it, replace=True begins anew")
         for warning in self._configuration.warnings:
@@ -163,7 +164,7 @@ class Packer(wirepack.Run):
     def _run(self, call, limits, increments, existing):
         reached, found, said = _wirepack._run(
             self._configuration, self.path, _wirepack._Existing.__members__[existing],
-            f"wirepack.py: {call}", limits, increments)
+            f"wirepack.py: {call}", limits, increments, self.threads)
         for message in said:
             logging.getLogger("wirepack").info(message)
         for warning in found:

@@ -143,6 +143,22 @@ class Packing(PackerTest):
         with ThreadPoolExecutor(4) as pool:
             self.assertEqual(list(pool.map(force, [1, 2] * 4)), alone * 4)
 
+    def test_packers_in_forks_find_what_they_find_alone(self):
+        def work(seed):
+            wire = wirepack.writhe(numpy.random.default_rng(seed).normal(size=(2000, 3)))
+            packer = wirepack.Packer("run.toml", {"packing.seed": seed})
+            packer.advance(increments=3)
+            return wire, packer.energy().total
+
+        alone = [work(1), work(2)]
+        children = []
+        for seed in (1, 2):
+            child = os.fork()
+            if child == 0:
+                os._exit(0 if work(seed) == alone[seed - 1] else 1)
+            children.append(child)
+        self.assertEqual([os.waitpid(child, 0)[1] for child in children], [0, 0])
+
     def test_no_equilibrium_is_an_error_and_keeps_what_was_found(self):
         settings = {"minimizer.max_evaluations": 3}
         packer = wirepack.Packer("run.toml", settings, output="lost.h5")
@@ -248,7 +264,7 @@ class Observables(PackerTest):
         self.assertEqual((spacing["ordered"], shown.pop("hexagonal_order")), (0, None))
         for name in found.keys() & shown.keys():
             self.assertAlmostEqual(found[name], shown[name], delta=1e-9, msg=name)
-        self.assertEqual(wirepack.writhe(r), found["writhe"])
+        self.assertEqual(wirepack.writhe(r, threads=2), found["writhe"])
         self.assertEqual(wirepack.average_crossings(r), found["average_crossings"])
         shells = len(shown["radial_density"])
         tables = {"radial_density": wirepack.radial_density(r, 1, 4, shells)[2],
@@ -369,6 +385,8 @@ class Refusals(PackerTest):
                 packer.energy(good, bad)
         with self.assertRaisesRegex(ValueError, "inserted_length = 1.*: must be above"):
             packer.energy(numpy.cumsum(numpy.tile([0, 0, 1.0], (9, 1)), axis=0), None, 1)
+        with self.assertRaisesRegex(ValueError, "threads = 0: must be 1 or more"):
+            wirepack.writhe(good, threads=0)
         with self.assertRaisesRegex(ValueError, "wire_radius = -1"):
             wirepack.radial_density(good, -1, 4, 3)
 
