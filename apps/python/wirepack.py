@@ -1,4 +1,4 @@
-"""Reads result files of wirepack, with numpy and h5py alone.
+"""Reads result files of wirepack, with numpy and h5py alone (for Packer see wirepack_packer.py).
 
     run = wirepack.Run("out.h5")      # a live, killed or finished run; run.reload() for what is new
     run.history.force, run.history.force.unit
@@ -82,11 +82,9 @@ class Frame:
 
     units = {**FRAME_ARRAYS, **FRAME_NUMBERS, "arc_length": "length"}
 
-    def __init__(self, group):
-        for name in FRAME_NUMBERS:
-            setattr(self, name, group.attrs[name].item())
-        for name, unit in FRAME_ARRAYS.items():
-            setattr(self, name, Quantity(group[name][()], unit))
+    def __init__(self, numbers, arrays):
+        vars(self).update((name, numbers[name].item()) for name in FRAME_NUMBERS)
+        vars(self).update((n, Quantity(arrays[n][()], unit)) for n, unit in FRAME_ARRAYS.items())
         steps = numpy.linalg.norm(numpy.diff(self.position, axis=0), axis=1)
         self.arc_length = Quantity(numpy.concatenate([[0.0], numpy.cumsum(steps)]), "length")
 
@@ -115,17 +113,12 @@ class Frames:
     def __len__(self):
         return len(self._names)
 
-    def __iter__(self):
-        return (self._run._frame(name) for name in self._names)
-
     def __repr__(self):
         densities = ", ".join(f"{density:.4g}" for density in self.packing_density)
         return f"{len(self)} frames of packing density {densities or '-'}"
 
-    @property
-    def packing_density(self):
-        return Quantity([self._run._file["frames"][name].attrs["packing_density"]
-                         for name in self._names], "1")
+    packing_density = property(lambda self: Quantity(
+        [self._run._file["frames"][n].attrs["packing_density"] for n in self._names], "1"))
 
     def __getitem__(self, key):
         if isinstance(key, slice):
@@ -168,6 +161,7 @@ class Run:
 
     finished = property(lambda self: bool(self.attributes["finished"]))
     stop_reason = property(lambda self: self.attributes["stop_reason"])  # empty unless finished
+    state = property(lambda self: f"ended by {self.stop_reason}" if self.finished else "unfinished")
     radius = property(lambda self: self.config["wire"]["radius"])
     semi_axes = property(
         lambda run: numpy.full(3, (c := run.config["cavity"]).get("semi_axes") or c["radius"]))
@@ -188,7 +182,7 @@ class Run:
             fault = f"run ended by {self.stop_reason}" if failed else f"residual of {name} is large"
             raise NotConverged(f"{self.path}: the {fault}; Run(path, unconverged=True) reads on")
         try:
-            return Frame(self._file["frames"][name])
+            return Frame((group := self._file["frames"][name]).attrs, group)
         except (OSError, KeyError) as error:
             raise ResultError(f"{self.path}: frame {name} is damaged: {error}") from None
 
@@ -218,8 +212,6 @@ class Run:
                     shot.log["particles/" + name] = numpy.array(getattr(f, name))
                 out.append(shot)
 
-    state = property(lambda self: f"ended by {self.stop_reason}" if self.finished else "unfinished")
-
     def __repr__(self):
         return f"<run {self.path}: {len(self.converged)} increments, {self.state}, {self.frames}>"
 
@@ -245,6 +237,14 @@ def _curve(history, name, scale, unit):
     heights = 100 - 90 * numpy.clip(y / top, -0.1, 1.1)
     points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(300 * x / x.max(), heights))
     label = f"{name} [{unit}] to {top:.3g} against packing density to {x.max():.3g}"
-    line = f'<polyline fill="none" stroke="#2b5c8a" points="{points}"/>'
-    return (f'<figure><svg width="300" height="100" role="img" aria-label="{label}">{line}</svg>'
+    return (f'<figure><svg width="300" height="100" role="img" aria-label="{label}">'
+            f'<polyline fill="none" stroke="#2b5c8a" points="{points}"/></svg>'
             f"<figcaption>{label}</figcaption></figure>")
+
+
+def __getattr__(name):
+    try:
+        import wirepack_packer
+    except ModuleNotFoundError as error:
+        raise AttributeError(f"no {name} without the compiled module: {error}") from None
+    return getattr(wirepack_packer, name)
