@@ -73,16 +73,7 @@ std::vector<std::int64_t> chosen_frames(const Hdf5Reader& reader, const Options&
   if (wanted == Frames::none) return {};
   const std::vector<std::int64_t> frames = reader.frame_increments();
   if (frames.empty()) throw FileError(options.result + ": holds no frame yet");
-  if (options.frame) {
-    if (std::find(frames.begin(), frames.end(), *options.frame) == frames.end()) {
-      throw InvalidInput(
-          fmt::format("--frame {}: {} has no such frame; it has {} of increments {} "
-                      "to {}: {}",
-                      *options.frame, options.result, frames.size(), frames.front(), frames.back(),
-                      fmt::join(frames, ", ")));
-    }
-    return {*options.frame};
-  }
+  if (options.frame) return {frame_of_increment(reader, options.result, *options.frame)};
   if (options.density) {
     return {frame_at_density(reader, options.result, reader.history(), *options.density)};
   }

@@ -11,6 +11,7 @@
 
 #include "gnuplot.hpp"
 #include "published.hpp"
+#include "setup_name.hpp"
 
 namespace wirepack {
 
@@ -55,10 +56,6 @@ std::vector<Reading> readings_of(const std::vector<FigureRun>& runs,
   return readings;
 }
 
-std::string name_in_key(Setup setup) {
-  return setup == Setup::high_torsion ? "high torsion" : "low torsion";
-}
-
 // Series of one setup are told apart by their first runs.
 std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double threshold) {
   std::vector<std::size_t> all(runs.size());
@@ -69,7 +66,7 @@ std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double
   std::vector<ReadingSeries> series;
   for (const auto& group : groups) {
     const FigureRun& first = runs[group.front()];
-    std::string name = name_in_key(first.scenario.setup);
+    std::string name = setup_name(first.scenario.setup);
     if (uses[first.scenario.setup] > 1) name += fmt::format(", as {}", first.label);
     std::vector<Reading> readings = readings_of(runs, group, threshold);
     if (!readings.empty()) series.push_back({name, std::move(readings)});
@@ -137,7 +134,7 @@ bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureR
       fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
                   threshold) +
       axes + "plot " + points + published_curves + laws + "\n";
-  draw_with_gnuplot(folder, "phi_max", data, commands, curve_size, curve_pixels);
+  draw_with_gnuplot(folder, {"phi_max", data, commands, {}, {}});
   return true;
 }
 

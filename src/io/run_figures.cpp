@@ -137,16 +137,20 @@ void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun
     if (end(k) > end(furthest)) furthest = k;
   }
   draw_with_gnuplot(
-      folder, "force", curves(groups),
-      curve_style +
-          fmt::format("set ylabel 'injection force F R^2 / YI'\nset logscale y\n"
-                      "set yrange [0.1:{:.3g}]\nplot ",
-                      1.5 * top) +
-          plot_curves(groups, "force", force_column) +
-          fmt::format("'force.dat' index {} using 1:{} with lines lw 1.5 dashtype 2 lc rgb 'black' "
-                      "{}\n",
-                      groups.size() + furthest, int(force_column), gnuplot_title(spool_name)),
-      curve_size, curve_pixels);
+      folder,
+      {"force",
+       curves(groups),
+       curve_style +
+           fmt::format("set ylabel 'injection force F R^2 / YI'\nset logscale y\n"
+                       "set yrange [0.1:{:.3g}]\nplot ",
+                       1.5 * top) +
+           plot_curves(groups, "force", force_column) +
+           fmt::format(
+               "'force.dat' index {} using 1:{} with lines lw 1.5 dashtype 2 lc rgb 'black' "
+               "{}\n",
+               groups.size() + furthest, int(force_column), gnuplot_title(spool_name)),
+       {},
+       {}});
 }
 
 void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
@@ -160,27 +164,33 @@ void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
         k + 1 < groups.size() ? ", " : "\n");
   }
   draw_with_gnuplot(
-      folder, "energy", curves(groups),
-      curve_style +
-          fmt::format("set ylabel 'bending energy E R / YI'\nset yrange [0:{:.3g}]\nplot ",
-                      1.35 * top) +
-          plot_curves(groups, "energy", bend_column) +
-          plot_groups(groups, "energy", twist_column, 3,
-                      [](std::size_t k) { return k == 0 ? "dotted: torsional energy" : ""; }) +
-          spools,
-      curve_size, curve_pixels);
+      folder,
+      {"energy",
+       curves(groups),
+       curve_style +
+           fmt::format("set ylabel 'bending energy E R / YI'\nset yrange [0:{:.3g}]\nplot ",
+                       1.35 * top) +
+           plot_curves(groups, "energy", bend_column) +
+           plot_groups(groups, "energy", twist_column, 3,
+                       [](std::size_t k) { return k == 0 ? "dotted: torsional energy" : ""; }) +
+           spools,
+       {},
+       {}});
 }
 
 void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   const std::vector<RunGroup> groups = run_groups(runs);
   const double top = std::max(1e-3, largest(groups, &CurvePoint::twist));
-  draw_with_gnuplot(folder, "torsion", curves(groups),
-                    curve_style +
-                        fmt::format("set ylabel 'torsional energy E R / YI'\nset logscale y\n"
-                                    "set yrange [{:.3g}:{:.3g}]\nplot ",
-                                    1e-4 * top, 2 * top) +
-                        plot_curves(groups, "torsion", twist_column) + "NaN notitle\n",
-                    curve_size, curve_pixels);
+  draw_with_gnuplot(folder,
+                    {"torsion",
+                     curves(groups),
+                     curve_style +
+                         fmt::format("set ylabel 'torsional energy E R / YI'\nset logscale y\n"
+                                     "set yrange [{:.3g}:{:.3g}]\nplot ",
+                                     1e-4 * top, 2 * top) +
+                         plot_curves(groups, "torsion", twist_column) + "NaN notitle\n",
+                     {},
+                     {}});
 }
 
 void draw_bend_distribution(const std::filesystem::path& folder,
@@ -212,7 +222,7 @@ void draw_bend_distribution(const std::filesystem::path& folder,
       plots +
       "paper_bend_distribution(x) with lines dashtype 2 lc rgb 'black' title 'Stoop et al. 2011: "
       "high torsion, a/R = 1/40'\n";
-  draw_with_gnuplot(folder, "bend_distribution", data, commands, curve_size, curve_pixels);
+  draw_with_gnuplot(folder, {"bend_distribution", data, commands, {}, {}});
 }
 
 }  // namespace wirepack

@@ -29,14 +29,10 @@ struct FigureRun {
 /// whole.
 std::vector<std::string> figure_files(const std::vector<std::string>& names);
 
-/// packing: the wire of a frame as a tube in the outline of its cavity, coloured by bending energy
-/// per length over YI / (2 R^2).
-void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
-                  const PackingFrame& frame);
-
-/// section: where the plane y = 0 cuts the wire of a frame, in the same colours.
-void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
-                  const PackingFrame& frame);
+/// packing: the wire of a run's frame from outside, in the outline of its cavity, and cut open at
+/// y = 0, coloured by bending energy per length over YI / (2 R^2). Runs of both setups, the first
+/// of each, are drawn side by side, in colours of one range.
+void draw_packing(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// force: F R^2 / YI against the packing density, with the inverse-spool model; log axis. Here and
 /// below runs that differ in their seeds alone are one curve: their mean, in a band of its standard
