@@ -88,10 +88,15 @@ int draw(const Options& options) {
   }
   draw_packing(folder, runs);
   draw_force(folder, runs);
-  draw_energy(folder, runs);
+  if (!draw_energy(folder, runs)) {
+    print_lines("no inset in energy: the runs have no torsional energy\n");
+  }
   draw_torsion(folder, runs);
   draw_bend_distribution(folder, runs);
-  if (!draw_phi_max(folder, runs, options.threshold)) {
+  const PhiMaxFigure phi_max = draw_phi_max(folder, runs, options.threshold);
+  if (phi_max == PhiMaxFigure::without_inset) {
+    print_lines("no inset in phi_max: it takes runs in cavities of two radii\n");
+  } else if (phi_max == PhiMaxFigure::none) {
     std::erase(names, "phi_max");
     remove_figure(folder, "phi_max");
     print_lines(fmt::format("no phi_max: no run reaches F R^2 / YI = {} (--threshold)\n",

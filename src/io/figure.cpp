@@ -6,6 +6,7 @@
 
 #include "wirepack/core/plain_text.hpp"
 
+#include "curve_layout.hpp"
 #include "gnuplot.hpp"
 
 namespace wirepack {
@@ -88,11 +89,13 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
     const double top = at(0.99), bottom = std::min(0.0, at(0.01));
     range = fmt::format("set yrange [{:.4g}:{:.4g}]\n", 1.1 * bottom, std::max(1e-3, 1.35 * top));
   }
+  const CurveLayout layout(static_cast<std::size_t>(std::count_if(
+      curves.begin(), curves.end(), [](const Curve& curve) { return !curve.label.empty(); })));
   draw_with_gnuplot(folder, {name,
                              data,
-                             std::string(curve_style) + "set ylabel '" + quantity +
+                             layout.graph() + density_axis + "set ylabel '" + quantity +
                                  "' noenhanced\n" + range + commands + "\n",
-                             {1200, 860},
+                             layout.canvas(),
                              {}});
 }
 

@@ -18,27 +18,38 @@ void write_file(const std::filesystem::path& path, const std::string& text) {
   replace_file(path, std::vector<char>(text.begin(), text.end()));
 }
 
-std::string png_terminal(const Canvas& canvas) {
-  return fmt::format("pngcairo size {},{} font 'sans,20' linewidth 2", canvas.width, canvas.height);
+// A terminal of gnuplot with the size of its letters; commands find that of smaller ones in the
+// variable `small`.
+struct Terminal {
+  std::string name;
+  double font;
+  std::string more;
+};
+
+Terminal png_terminal(const Canvas& canvas) {
+  return {fmt::format("pngcairo size {},{}", canvas.width, canvas.height), 20, " linewidth 2"};
 }
 
-std::string drawn_to(const std::string& terminal, const std::string& file,
+std::string drawn_to(const Terminal& terminal, const std::string& file,
                      const std::string& commands) {
-  return fmt::format("set terminal {}\nset output '{}'\n{}unset output\n", terminal, file,
-                     commands);
+  return fmt::format(
+      "set terminal {} font 'sans,{}'{}\nset encoding utf8\nsmall = ',{:.1f}'\n"
+      "set output '{}'\n{}unset output\n",
+      terminal.name, terminal.font, terminal.more, 0.77 * terminal.font, file, commands);
 }
 
 std::string whole_script(const Drawing& drawing) {
   const auto [width, height] = drawing.canvas;
   constexpr double per_centimetre = 1200.0 / 14;
   const std::string& name = drawing.name;
+  const Terminal pdf{fmt::format("pdfcairo size {:.2f}cm,{:.2f}cm", width / per_centimetre,
+                                 height / per_centimetre),
+                     9, ""};
+  const Terminal svg{fmt::format("svg size {},{}", width * 31 / 50, height * 31 / 50), 16, ""};
   return fmt::format("# draws {0}.png, {0}.pdf and {0}.svg from {0}.dat\n", name) +
          drawn_to(png_terminal(drawing.canvas), name + ".png", drawing.commands) +
-         drawn_to(fmt::format("pdfcairo size {:.2f}cm,{:.2f}cm font 'sans,12'",
-                              width / per_centimetre, height / per_centimetre),
-                  name + ".pdf", drawing.commands) +
-         drawn_to(fmt::format("svg size {},{} font 'sans,16'", width * 4 / 5, height * 4 / 5),
-                  name + ".svg", drawing.commands);
+         drawn_to(pdf, name + ".pdf", drawing.commands) +
+         drawn_to(svg, name + ".svg", drawing.commands);
 }
 
 // `script` is the name of the script's file in messages.

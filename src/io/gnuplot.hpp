@@ -6,14 +6,11 @@
 
 namespace wirepack {
 
-// Axes, grid and key of curves against the packing density.
-inline constexpr const char* curve_style =
-    "set xlabel 'packing density {/Symbol f}'\nset key below Left reverse maxcols 1\n"
-    "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n";
+inline constexpr const char* density_axis = "set xlabel 'packing density φ'\n";
 
 // Pixels of a PNG; PDF and SVG have its shape, and a PDF 14 cm to 1200 of them.
 struct Canvas {
-  int width = 1200, height = 1030;
+  int width, height;
 };
 
 // A file that the commands of a drawing read beside its data.
