@@ -136,7 +136,7 @@ Command export_command(CLI::App& program) {
   app->add_option("--format", options->format, "One of the formats below")
       ->required()
       ->type_name("FORMAT")
-      ->check(CLI::IsMember(format_names()));
+      ->check(CLI::IsMember(format_names()).description(""));
   app->add_option("-o,--output", options->output, "File to write")->required()->type_name("PATH");
   CLI::Option* frame =
       app->add_option("--frame", options->frame, "Only the frame of this increment")

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <set>
@@ -76,13 +77,15 @@ std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double
   return series;
 }
 
+// The mass is that of the wire over that of a ball of its radius: phi_max (R/a)^3.
 std::string block(const ReadingSeries& series) {
-  std::string text =
-      fmt::format("# {}\n# a/R phi_max standard_error runs\n", plain_text(series.name));
+  std::string text = fmt::format("# {}\n# a/R phi_max standard_error runs R/a mass its_error\n",
+                                 plain_text(series.name));
   for (const Reading& reading : series.readings) {
     const Sample s = sample(reading.densities);
-    text += fmt::format("{} {} {} {}\n", reading.ratio, s.mean,
-                        s.count > 1 ? s.standard_error() : 0, s.count);
+    const double error = s.count > 1 ? s.standard_error() : 0, balls = std::pow(reading.ratio, -3);
+    text += fmt::format("{} {} {} {} {} {} {}\n", reading.ratio, s.mean, error, s.count,
+                        1 / reading.ratio, s.mean * balls, error * balls);
   }
   return text + "\n\n";
 }
@@ -115,7 +118,6 @@ constexpr const char* published_curves =
     "high torsion: exponent %.2f', paper_exponent), "
     "$phages using 1:2 with points pt 4 ps 1 lc rgb '#555555' title 'DNA in phages'";
 
-// Mass of the wire against R, in masses of balls of its radius: phi_max (R/a)^3.
 std::string mass_inset(const CurveLayout& layout, std::size_t series) {
   std::string text = layout.inset({0.4, 0.99, 0.01, 0.47}) +
                      "unset object 1\nunset label 1\nset xrange [2.5:60]\nset yrange [5:1e5]\n"
@@ -129,7 +131,7 @@ std::string mass_inset(const CurveLayout& layout, std::size_t series) {
                      "font small tc rgb '#888888'\nplot ";
   for (std::size_t k = 0; k < series; ++k) {
     text += fmt::format(
-        "'phi_max.dat' index {} using (1/$1):($2/$1**3):($3/$1**3) with yerrorbars pt 7 ps 0.8 "
+        "'phi_max.dat' index {} using 5:6:7 with yerrorbars pt 7 ps 0.8 "
         "lc {}, ",
         k, k + 1);
   }
