@@ -61,11 +61,13 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
                  const std::string& quantity, const std::vector<Curve>& curves) {
   std::string data, commands;
   std::vector<double> values;
+  double last = 0;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const Curve& curve = curves[k];
     data += fmt::format("# {}\n# packing_density {}\n", plain_text(curve.label), quantity);
     for (const auto& [x, y] : curve.points) {
       data += fmt::format("{} {}\n", x, y);
+      last = std::max(last, x);
       if (curve.stroke != Stroke::dashed_line) values.push_back(y);
     }
     if (curve.points.empty()) data += "NaN NaN\n";
@@ -81,13 +83,13 @@ void draw_curves(const std::filesystem::path& folder, const std::string& name,
   // The range leaves out the highest peaks of the force.
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
-    const auto last = static_cast<double>(values.size() - 1);
-    return values[static_cast<std::size_t>(std::round(share * last))];
+    const auto highest = static_cast<double>(values.size() - 1);
+    return values[static_cast<std::size_t>(std::round(share * highest))];
   };
-  std::string range;
+  std::string range = fmt::format("set xrange [0:{:.4g}]\n", last > 0 ? last : 1);
   if (!values.empty()) {
     const double top = at(0.99), bottom = std::min(0.0, at(0.01));
-    range = fmt::format("set yrange [{:.4g}:{:.4g}]\n", 1.1 * bottom, std::max(1e-3, 1.35 * top));
+    range += fmt::format("set yrange [{:.4g}:{:.4g}]\n", 1.1 * bottom, std::max(1e-3, 1.35 * top));
   }
   const CurveLayout layout(static_cast<std::size_t>(std::count_if(
       curves.begin(), curves.end(), [](const Curve& curve) { return !curve.label.empty(); })));

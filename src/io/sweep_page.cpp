@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <stdexcept>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
@@ -84,7 +85,7 @@ std::string linked(const std::string& drawing, const std::filesystem::path& fold
   const std::string page = task + "/view.html";
   try {
     update_view_page(folder / task / task_result_file, folder / page);
-  } catch (const FileError& error) {
+  } catch (const std::runtime_error& error) {  // of files, or a folder in the place of the page
     return drawing + "no page: " + xml_escaped(error.what());
   }
   return fmt::format("<a href=\"{}\" aria-label=\"{}, page\">{}page</a>", relative_link(page),

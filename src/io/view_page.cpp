@@ -38,11 +38,11 @@ std::size_t frames_of_a_bounded_page(const std::filesystem::path& result) {
 }  // namespace
 
 void update_view_page(const std::filesystem::path& result, const std::filesystem::path& page) {
+  const std::filesystem::path target = output_file(page, {.inputs = {result}, .force = true});
   std::error_code missing;
-  const auto made = std::filesystem::last_write_time(page, missing);
+  const auto made = std::filesystem::last_write_time(target, missing);
   if (!missing && made >= std::filesystem::last_write_time(result, missing)) return;
-  write_view_page(result, output_file(page, {.inputs = {result}, .force = true}),
-                  frames_of_a_bounded_page(result));
+  write_view_page(result, target, frames_of_a_bounded_page(result));
 }
 
 }  // namespace wirepack

@@ -25,10 +25,6 @@ struct Seen {
   double from_axis = -1;  ///< of a point of a cut face, else negative
   Index piece = 0;
   bool is_face() const { return from_axis >= 0; }
-  bool hides(const Seen& other) const {
-    return height > other.height ||
-           (height == other.height && is_face() && from_axis < other.from_axis);
-  }
 };
 
 std::optional<Seen> cut_face(const Capsule& c, const Vec3& point) {
@@ -65,44 +61,82 @@ Seen surface(const Capsule& c, double x, double y) {
   return seen;
 }
 
-/// Lines of sight through the middles of pixels.
+/// Pieces of the line, the nearest to the viewer first: most of what they hide costs little then.
+std::vector<Index> from_the_front(const Points& points) {
+  std::vector<Index> pieces;
+  for (Index k = 0; k + 1 < points.cols(); ++k) {
+    if (points.col(k) != points.col(k + 1)) pieces.push_back(k);
+  }
+  std::sort(pieces.begin(), pieces.end(), [&](Index i, Index j) {
+    return points(2, i) + points(2, i + 1) > points(2, j) + points(2, j + 1);
+  });
+  return pieces;
+}
+
+/// Lines of sight through the middles of pixels, and which piece of wire each meets first.
 class Sights {
  public:
-  Sights(const Camera& camera, int width)
-      : camera_(camera), width_(width), seen_(static_cast<std::size_t>(width * width)) {}
+  Sights(const SmoothLine& line, double radius, const Camera& camera, int width)
+      : camera_(camera), width_(width), met_(static_cast<std::size_t>(width * width)) {
+    for (Index k = 0; k + 1 < line.points.cols(); ++k) {
+      const Vec3 step = line.points.col(k + 1) - line.points.col(k);
+      capsules_.push_back({line.points.col(k), step.normalized(), step.norm(), radius});
+    }
+    for (const Index k : from_the_front(line.points)) meet(k);
+  }
 
-  void add(const Capsule& c, Index piece) {
+  int width() const { return width_; }
+  /// Of pixels beside the picture: as at its border.
+  double height(int column, int row) const { return met(column, row).height; }
+  Seen seen(int column, int row) const {
+    const Met& found = met(column, row);
+    if (found.height == nowhere) return {};
+    Seen result = nearest(capsules_[static_cast<std::size_t>(found.piece)], column, row);
+    result.piece = found.piece;
+    return result;
+  }
+
+ private:
+  // Small, as there are millions.
+  struct Met {
+    float height = nowhere, from_axis = -1;
+    std::int32_t piece = 0;
+  };
+
+  const Met& met(int column, int row) const {
+    return met_[static_cast<std::size_t>(std::clamp(row, 0, width_ - 1) * width_ +
+                                         std::clamp(column, 0, width_ - 1))];
+  }
+  void meet(Index piece) {
+    const Capsule& c = capsules_[static_cast<std::size_t>(piece)];
     const Vec3 end = c.start + c.length * c.axis;
     const Vec3 low = c.start.cwiseMin(end).array() - c.radius;
     const Vec3 high = c.start.cwiseMax(end).array() + c.radius;
-    const double top = std::min(high.z(), camera_.cut.value_or(high.z()));
+    const auto top = static_cast<float>(std::min(high.z(), camera_.cut.value_or(high.z())));
     if (top < low.z()) return;
     for (int row = pixel(-high.y()); row <= pixel(-low.y()); ++row) {
       for (int column = pixel(low.x()); column <= pixel(high.x()); ++column) {
-        Seen& before = seen_[static_cast<std::size_t>(row * width_ + column)];
+        Met& before = met_[static_cast<std::size_t>(row * width_ + column)];
         if (before.height > top) continue;
-        Seen seen = nearest(c, place(column), -place(row));
-        if (!seen.hides(before)) continue;
-        before = seen;
-        before.piece = piece;
+        const Seen seen = nearest(c, column, row);
+        const Met now{static_cast<float>(seen.height), static_cast<float>(seen.from_axis),
+                      static_cast<std::int32_t>(piece)};
+        // of faces at the same height the one about the nearer axis
+        if (now.height > before.height ||
+            (now.height == before.height && seen.is_face() && now.from_axis < before.from_axis)) {
+          before = now;
+        }
       }
     }
   }
-
-  const Seen& at(int column, int row) const {
-    return seen_[static_cast<std::size_t>(std::clamp(row, 0, width_ - 1) * width_ +
-                                          std::clamp(column, 0, width_ - 1))];
-  }
-  int width() const { return width_; }
-
- private:
   double place(int pixel) const { return ((pixel + 0.5) / width_ * 2 - 1) * camera_.half_width; }
   int pixel(double place) const {
     const double at = (place / camera_.half_width + 1) / 2 * width_;
     return static_cast<int>(std::clamp(at, 0.0, width_ - 1.0));
   }
   // A capsule is convex: what its front has lost to the cut shows a face, or nothing of it is left.
-  Seen nearest(const Capsule& c, double x, double y) const {
+  Seen nearest(const Capsule& c, int column, int row) const {
+    const double x = place(column), y = -place(row);
     const Seen front = surface(c, x, y);
     if (!camera_.cut || front.height <= *camera_.cut) return front;
     return cut_face(c, {x, y, *camera_.cut}).value_or(Seen{});
@@ -110,7 +144,8 @@ class Sights {
 
   Camera camera_;
   int width_;
-  std::vector<Seen> seen_;
+  std::vector<Capsule> capsules_;
+  std::vector<Met> met_;
 };
 
 /// Means of heights over squares around pixels, from sums over all pixels above and to the left.
@@ -120,7 +155,7 @@ class MeanHeights {
       : stride_(sights.width() + 1), sums_(static_cast<std::size_t>(stride_ * stride_)) {
     for (int row = 0; row < sights.width(); ++row) {
       for (int column = 0; column < sights.width(); ++column) {
-        const double height = std::max(of_nothing, sights.at(column, row).height);
+        const double height = std::max(of_nothing, sights.height(column, row));
         sum(column + 1, row + 1) =
             height + sum(column, row + 1) + sum(column + 1, row) - sum(column, row);
       }
@@ -160,7 +195,7 @@ class Painter {
         pixels_per_radius_(radius / camera.half_width * sights.width() / 2) {}
 
   Channels colour(int column, int row) {
-    const Seen& seen = sights_.at(column, row);
+    const Seen seen = sights_.seen(column, row);
     const int border = std::clamp(static_cast<int>(0.06 * pixels_per_radius_), 1, 4);
     if (seen.height == nowhere) return Channels::Constant(255);
     const Colour flat =
@@ -196,11 +231,11 @@ class Painter {
   }
   // Edges of strands in front of others are lines.
   bool hangs_over(int column, int row, int border) const {
-    const double limit = sights_.at(column, row).height - 0.5 * radius_;
-    return sights_.at(column - border, row).height < limit ||
-           sights_.at(column + border, row).height < limit ||
-           sights_.at(column, row - border).height < limit ||
-           sights_.at(column, row + border).height < limit;
+    const double limit = sights_.height(column, row) - 0.5 * radius_;
+    return sights_.height(column - border, row) < limit ||
+           sights_.height(column + border, row) < limit ||
+           sights_.height(column, row - border) < limit ||
+           sights_.height(column, row + border) < limit;
   }
   double light(int column, int row, const Seen& seen) {
     const Vec3 lamp(-0.36, 0.48, 0.8);
@@ -216,18 +251,6 @@ class Painter {
   double radius_, nearest_, farthest_, pixels_per_radius_;
 };
 
-/// Pieces of the line, the nearest to the viewer first: most of what they hide costs little then.
-std::vector<Index> from_the_front(const Points& points) {
-  std::vector<Index> pieces;
-  for (Index k = 0; k + 1 < points.cols(); ++k) {
-    if (points.col(k) != points.col(k + 1)) pieces.push_back(k);
-  }
-  std::sort(pieces.begin(), pieces.end(), [&](Index i, Index j) {
-    return points(2, i) + points(2, i + 1) > points(2, j) + points(2, j + 1);
-  });
-  return pieces;
-}
-
 Colour rounded(const Channels& c) {
   const auto byte = [](double x) { return static_cast<std::uint8_t>(std::lround(x)); };
   return {byte(c[0]), byte(c[1]), byte(c[2])};
@@ -240,11 +263,7 @@ Picture wire_picture(const SmoothLine& line, double radius, const Camera& camera
   axes << camera.right.transpose(), camera.up.transpose(),
       camera.right.cross(camera.up).transpose();
   const SmoothLine turned{axes * line.points, line.colour};
-  Sights sights(camera, finer * width);
-  for (const Index k : from_the_front(turned.points)) {
-    const Vec3 step = turned.points.col(k + 1) - turned.points.col(k);
-    sights.add({turned.points.col(k), step.normalized(), step.norm(), radius}, k);
-  }
+  const Sights sights(turned, radius, camera, finer * width);
   Painter painter(sights, camera, turned, radius);
   Picture picture{width, width, {}};
   picture.pixels.reserve(static_cast<std::size_t>(width * width));
