@@ -12,6 +12,7 @@
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/io/recorded_run.hpp"
+#include "wirepack/io/view_page.hpp"
 #include "wirepack/packing/longest_wire.hpp"
 #include "wirepack/packing/warnings.hpp"
 
@@ -30,7 +31,7 @@ struct Options {
   std::vector<std::string> assignments;
   double density = 0.2;
   int seeds = 1;
-  bool force = false;
+  bool page = false, force = false;
 };
 
 void say(const std::string& message) { print_message("wirepack compare: " + message); }
@@ -102,6 +103,9 @@ std::string run_file(const Options& options, const Scenario& seeded, std::uint64
   return exists(folder / single) ? single : several;
 }
 
+// The page of a run lies beside it.
+std::string page_of(const std::filesystem::path& run) { return run.stem().string() + ".html"; }
+
 int compare_ways(const Options& options) {
   const Configuration config = configuration_of(options);
   const Scenario& scenario = config.scenario;
@@ -110,11 +114,18 @@ int compare_ways(const Options& options) {
   // beside runs that are gone on with, page and figures are those of an earlier call
   const bool begun =
       std::filesystem::exists(folder / run_file(options, scenario, scenario.seed, ways[0].second));
-  output_folder(folder, comparison_files(), {inputs, options.force || begun});
+  std::vector<std::string> outputs = comparison_files();
+  if (options.page) {
+    for (const auto& [way, name] : ways) {
+      outputs.push_back(page_of(run_file(options, scenario, scenario.seed, name)));
+    }
+  }
+  output_folder(folder, outputs, {inputs, options.force || begun});
   make_folder(folder);
   say_warnings("compare", warnings(scenario, expected_length(scenario)));
   catch_stop_signals();
   std::vector<ComparedRun> runs;
+  std::vector<RunPage> pages;
   for (int k = 0; k < options.seeds; ++k) {
     Scenario seeded = scenario;
     seeded.seed += static_cast<std::uint64_t>(k);
@@ -129,11 +140,17 @@ int compare_ways(const Options& options) {
         return exit_stopped_by_signal;
       }
       runs.push_back(read_run(way, file));
+      if (options.page) {
+        pages.push_back({fmt::format("{}, seed {}", name, seeded.seed), page_of(file)});
+        update_view_page(file, folder / pages.back().file);
+      }
     }
   }
   const Comparison comparison = compare(runs);
-  write_comparison(folder, std::filesystem::path(options.config).filename().string(),
-                   resolved_config(scenario), runs, comparison);
+  write_comparison(
+      folder,
+      {std::filesystem::path(options.config).filename().string(), resolved_config(scenario), pages},
+      runs, comparison);
   std::fputs(comparison_table(comparison).c_str(), stdout);
   print_lines(fmt::format("# {}\n", (folder / "comparison.html").string()));
   return exit_done;
@@ -157,10 +174,14 @@ Command compare_command(CLI::App& program, const std::string& command_line) {
       ->required()
       ->type_name("DIR");
   app->add_option("--density", options->density, "Packing density to which all ways are run")
+      ->type_name("PHI")
       ->capture_default_str();
   app->add_option("--seeds", options->seeds, "Runs of each way, with successive seeds")
+      ->type_name("N")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app->add_flag("--page", options->page,
+                "A page of each run, too, as of wirepack view, to which comparison.html leads");
   app->add_flag("--force", options->force,
                 "Replaces a page, figures and JSON that are there without their runs");
   app->add_option("--set", options->assignments, "Sets a key, as section.key=value")

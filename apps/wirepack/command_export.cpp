@@ -73,16 +73,7 @@ std::vector<std::int64_t> chosen_frames(const Hdf5Reader& reader, const Options&
   if (wanted == Frames::none) return {};
   const std::vector<std::int64_t> frames = reader.frame_increments();
   if (frames.empty()) throw FileError(options.result + ": holds no frame yet");
-  if (options.frame) {
-    if (std::find(frames.begin(), frames.end(), *options.frame) == frames.end()) {
-      throw InvalidInput(
-          fmt::format("--frame {}: {} has no such frame; it has {} of increments {} "
-                      "to {}: {}",
-                      *options.frame, options.result, frames.size(), frames.front(), frames.back(),
-                      fmt::join(frames, ", ")));
-    }
-    return {*options.frame};
-  }
+  if (options.frame) return {frame_of_increment(reader, options.result, *options.frame)};
   if (options.density) {
     return {frame_at_density(reader, options.result, reader.history(), *options.density)};
   }
@@ -145,7 +136,7 @@ Command export_command(CLI::App& program) {
   app->add_option("--format", options->format, "One of the formats below")
       ->required()
       ->type_name("FORMAT")
-      ->check(CLI::IsMember(format_names()));
+      ->check(CLI::IsMember(format_names()).description(""));
   app->add_option("-o,--output", options->output, "File to write")->required()->type_name("PATH");
   CLI::Option* frame =
       app->add_option("--frame", options->frame, "Only the frame of this increment")

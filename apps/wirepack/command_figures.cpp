@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -7,6 +6,7 @@
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/figure.hpp"
+#include "wirepack/io/film.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/io/sweep_folder.hpp"
@@ -25,22 +25,20 @@ struct Options {
   std::optional<double> density;
   std::optional<std::int64_t> frame;
   double threshold = 10;
-  bool force = false;
+  bool film = false, force = false;
+  std::size_t film_frames = 200;
+
+  OutputRules rules() const { return {{results.begin(), results.end()}, force}; }
 };
 
 /// The frame that pictures show: the last one, or what was asked for.
 PackingFrame chosen_frame(const Hdf5Reader& reader, const std::string& name,
                           const Options& options) {
-  const std::vector<std::int64_t> frames = reader.frame_increments();
   if (options.density) {
     return reader.frame(frame_at_density(reader, name, reader.history(), *options.density));
   }
-  if (!options.frame) return reader.frame(frames.back());
-  if (std::find(frames.begin(), frames.end(), *options.frame) == frames.end()) {
-    throw InvalidInput(fmt::format("--frame {}: {} has frames of increments {} to {}",
-                                   *options.frame, name, frames.front(), frames.back()));
-  }
-  return reader.frame(*options.frame);
+  if (options.frame) return reader.frame(frame_of_increment(reader, name, *options.frame));
+  return reader.frame(reader.frame_increments().back());
 }
 
 // The task of a sweep, or the name of the file.
@@ -49,13 +47,9 @@ std::string label_of(const std::filesystem::path& result) {
   return of_a_sweep ? result.parent_path().filename().string() : result.stem().string();
 }
 
-int draw(const Options& options) {
-  std::vector<std::string> names{"packing", "section",           "force",  "energy",
-                                 "torsion", "bend_distribution", "phi_max"};
-  output_folder(options.folder, figure_files(names),
-                {{options.results.begin(), options.results.end()}, options.force});
+std::vector<FigureRun> read_runs(const std::vector<std::string>& results, const Options& options) {
   std::vector<FigureRun> runs;
-  for (const std::string& result : results_named(options.results)) {
+  for (const std::string& result : results) {
     const Hdf5Reader reader(result);
     runs.push_back({label_of(result), reader.scenario(), reader.history(), {}});
     if (runs.back().history.empty() || reader.frame_increments().empty()) {
@@ -63,19 +57,53 @@ int draw(const Options& options) {
     }
     runs.back().frame = chosen_frame(reader, result, options);
   }
+  return runs;
+}
+
+void make_film(const std::string& result, const Options& options) {
   const std::filesystem::path folder = options.folder;
-  draw_packing(folder, runs.front().scenario, runs.front().frame);
-  draw_section(folder, runs.front().scenario, runs.front().frame);
+  const bool video = draw_film(folder, Hdf5Reader(result), options.film_frames);
+  print_lines((folder / "film" / "0001.png").string() + "\n");
+  print_lines(video ? (folder / "film.mp4").string() + "\n"
+                    : fmt::format("no film.mp4: there is no ffmpeg; elsewhere, in {}: {}\n",
+                                  options.folder, film_command()));
+}
+
+/// A figure of an earlier call must not stand among those of this one.
+void remove_figure(const std::filesystem::path& folder, const std::string& name) {
+  for (const std::string& file : figure_files({name})) std::filesystem::remove(folder / file);
+}
+
+int draw(const Options& options) {
+  const std::vector<std::string> results = results_named(options.results);
+  const std::vector<FigureRun> runs = read_runs(results, options);
+  std::vector<std::string> names{"packing",           "force",  "energy", "torsion",
+                                 "bend_distribution", "phi_max"};
+  output_folder(options.folder, figure_files(names), options.rules());
+  const std::filesystem::path folder = options.folder;
+  if (options.film) {
+    output_folder(folder, {"film.mp4"}, options.rules());
+    output_folder(folder / "film", film_pictures(Hdf5Reader(results.front()), options.film_frames),
+                  options.rules());
+  }
+  draw_packing(folder, runs);
   draw_force(folder, runs);
-  draw_energy(folder, runs);
+  if (!draw_energy(folder, runs)) {
+    print_lines("no inset in energy: the runs have no torsional energy\n");
+  }
   draw_torsion(folder, runs);
   draw_bend_distribution(folder, runs);
-  if (!draw_phi_max(folder, runs, options.threshold)) {
+  const PhiMaxFigure phi_max = draw_phi_max(folder, runs, options.threshold);
+  if (phi_max == PhiMaxFigure::without_inset) {
+    print_lines("no inset in phi_max: it takes runs in cavities of two radii\n");
+  } else if (phi_max == PhiMaxFigure::none) {
     std::erase(names, "phi_max");
+    remove_figure(folder, "phi_max");
     print_lines(fmt::format("no phi_max: no run reaches F R^2 / YI = {} (--threshold)\n",
                             options.threshold));
   }
   for (const std::string& name : names) print_lines((folder / (name + ".png")).string() + "\n");
+  if (options.film) make_film(results.front(), options);
   return exit_done;
 }
 
@@ -84,21 +112,34 @@ int draw(const Options& options) {
 Command figures_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "figures",
-      "Figures of runs: packing and section of the first, curves and distributions of all");
+      "Figures of runs: pictures of the first of each setup, curves and distributions of all");
   const auto options = std::make_shared<Options>();
   app->add_option("RESULT.h5", options->results, "Results of wirepack run, or folders of sweeps")
       ->required();
   app->add_option("-o,--output", options->folder,
                   "Folder for PNG, PDF, SVG and the data behind them")
-      ->required();
+      ->required()
+      ->type_name("DIR");
   CLI::Option* density = app->add_option("--density", options->density,
                                          "Shows the frame nearest to this packing density")
+                             ->type_name("PHI")
                              ->check(CLI::Range(0.0, 1.0));
   app->add_option("--frame", options->frame, "Shows the frame of this increment")
+      ->type_name("INCREMENT")
       ->excludes(density);
   app->add_option("--threshold", options->threshold, "F R^2 / YI at which phi_max is read")
+      ->type_name("FORCE")
       ->check(CLI::Range(1e-3, 1e6))
       ->capture_default_str();
+  CLI::Option* film = app->add_flag(
+      "--film", options->film,
+      "A film of the first run, too: DIR/film/0001.png and so on, and DIR/film.mp4 by ffmpeg");
+  app->add_option("--frames", options->film_frames,
+                  "With --film: at most so many of the saved frames, evenly spread")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{9999}))
+      ->capture_default_str()
+      ->needs(film);
   app->add_flag("--force", options->force, "Replaces figures that are there");
   app->footer(
       "Examples:\n  wirepack figures quickstart.h5 -o figures\n"

@@ -219,7 +219,8 @@ Command fit_command(CLI::App& program, const std::string& command_line) {
       ->required();
   app->add_option("--model", options->model, "circle, helix, or spline (bending that changes)")
       ->required()
-      ->check(CLI::IsMember({"circle", "helix", "spline"}));
+      ->type_name("circle|helix|spline")
+      ->check(CLI::IsMember({"circle", "helix", "spline"}).description(""));
   app->add_option("-o,--output", options->output, "The shape")->required()->type_name("SHAPE.toml");
   app->add_flag("--force", options->force, "Replaces an existing SHAPE.toml and figures");
   app->add_option("--columns", options->columns,

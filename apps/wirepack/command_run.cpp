@@ -205,7 +205,7 @@ Command run_command(CLI::App& program, const std::string& command_line) {
       ->type_name("SECTION.KEY=VALUE")
       ->allow_extra_args(false);
   app->add_option("--method", options->method, "Short for --set packing.method=METHOD")
-      ->type_name("METHOD");
+      ->type_name("quasistatic|dynamic");
   CLI::Option* resume = app->add_flag(
       "--resume", options->resume,
       "Goes on from OUT.h5, to the same bits as an undisturbed run; [stop] and [output] may have "

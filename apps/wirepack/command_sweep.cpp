@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
-#include <map>
 #include <memory>
 
 #include "wirepack/core/error.hpp"
@@ -12,6 +11,7 @@
 #include "wirepack/packing/longest_wire.hpp"
 
 #include "command.hpp"
+#include "named_choice.hpp"
 #include "run_advice.hpp"
 #include "sweep_cost.hpp"
 #include "sweep_execution.hpp"
@@ -160,24 +160,20 @@ Command sweep_command(CLI::App& program) {
   app->add_option("-o,--output", options->folder,
                   "Folder of the tasks; tasks that are there are gone on with, or are finished")
       ->type_name("DIR");
-  app->add_option("--executor", options->executor, "Who runs the tasks; local by default")
-      ->type_name("local|slurm|parallel")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Executor>{{"local", Executor::local},
-                                          {"slurm", Executor::slurm},
-                                          {"parallel", Executor::parallel}}));
-  app->add_option("--emit", options->emit, "Only writes what this program needs to run the tasks")
-      ->type_name("slurm|parallel|snakemake|hyperqueue")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, SweepEngine>{{"slurm", SweepEngine::slurm},
-                                             {"parallel", SweepEngine::parallel},
-                                             {"snakemake", SweepEngine::snakemake},
-                                             {"hyperqueue", SweepEngine::hyperqueue}}));
+  add_choice<Executor>(
+      *app, "--executor", options->executor, "Who runs the tasks; local by default",
+      {{"local", Executor::local}, {"slurm", Executor::slurm}, {"parallel", Executor::parallel}});
+  add_choice<SweepEngine>(*app, "--emit", options->emit,
+                          "Only writes what this program needs to run the tasks",
+                          {{"slurm", SweepEngine::slurm},
+                           {"parallel", SweepEngine::parallel},
+                           {"snakemake", SweepEngine::snakemake},
+                           {"hyperqueue", SweepEngine::hyperqueue}});
   app->add_option("--hosts", options->script.hosts,
                   "With parallel: hosts to run on by ssh, a line each, as --sshloginfile of GNU "
                   "parallel has them; they share DIR and have wirepack at the same place")
       ->type_name("FILE")
-      ->check(CLI::ExistingFile);
+      ->check(CLI::Validator(CLI::ExistingFile).description(""));
   app->add_option("--jobs", options->script.at_once, "Tasks at a time; all processors by default")
       ->type_name("N")
       ->check(CLI::Range(1, 100000));
@@ -197,8 +193,10 @@ Command sweep_command(CLI::App& program) {
   CLI::Option* status = app->add_option("--status", options->status,
                                         "Prints what has become of the tasks of a folder")
                             ->type_name("DIR");
-  app->add_flag("--page", options->page,
-                "With --status: writes DIR/status.html with small pictures and curves, too")
+  app->add_flag(
+         "--page", options->page,
+         "With --status: writes DIR/status.html with small pictures and curves, which lead to "
+         "pages as of wirepack view")
       ->needs(status);
   app->add_option("--collect", options->collect, "Writes tables over the seeds, as CSV")
       ->type_name("DIR");

@@ -33,9 +33,10 @@ Command view_command(CLI::App& program) {
       "view", "One page to look at a packing in a browser, without server and network");
   const auto options = std::make_shared<Options>();
   app->add_option("RESULT.h5", options->result, "Result of wirepack run")->required();
-  app->add_option("-o,--output", options->page, "The page, PAGE.html")->required();
-  app->add_option("--frames", options->frames,
-                  "At most so many of the saved frames, evenly spread (default 40)")
+  app->add_option("-o,--output", options->page, "The page")->required()->type_name("PAGE.html");
+  app->add_option("--frames", options->frames, "At most so many of the saved frames, evenly spread")
+      ->type_name("N")
+      ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{10000}));
   app->add_flag("--force", options->force, "Replaces an existing PAGE.html");
   app->footer("Example: wirepack view quickstart.h5 -o quickstart.html");

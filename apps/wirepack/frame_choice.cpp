@@ -1,5 +1,6 @@
 #include "frame_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -13,6 +14,18 @@ const HistoryRow& row_of_increment(const std::vector<HistoryRow>& history, const
     if (row.increment == static_cast<double>(increment)) return row;
   }
   throw FileError(fmt::format("{}: the history has no increment {}", name, increment));
+}
+
+std::int64_t frame_of_increment(const Hdf5Reader& reader, const std::string& name,
+                                std::int64_t increment) {
+  const std::vector<std::int64_t> frames = reader.frame_increments();
+  if (frames.empty()) throw FileError(name + ": holds no frame yet");
+  if (std::find(frames.begin(), frames.end(), increment) == frames.end()) {
+    throw InvalidInput(fmt::format(
+        "--frame {}: {} has no such frame; it has {} frames, of increments {} to {}: {}", increment,
+        name, frames.size(), frames.front(), frames.back(), fmt::join(frames, ", ")));
+  }
+  return increment;
 }
 
 std::int64_t frame_at_density(const Hdf5Reader& reader, const std::string& name,

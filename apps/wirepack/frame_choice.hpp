@@ -12,6 +12,11 @@ namespace wirepack {
 std::int64_t frame_at_density(const Hdf5Reader& reader, const std::string& name,
                               const std::vector<HistoryRow>& history, double density);
 
+/// The frame of this increment. Throws InvalidInput, with the increments of the frames, when the run
+/// has none.
+std::int64_t frame_of_increment(const Hdf5Reader& reader, const std::string& name,
+                                std::int64_t increment);
+
 /// The row of an increment. Throws FileError when the history has none.
 const HistoryRow& row_of_increment(const std::vector<HistoryRow>& history, const std::string& name,
                                    std::int64_t increment);

@@ -9,14 +9,6 @@
 
 namespace wirepack {
 
-namespace {
-
-std::string hours(double seconds) {
-  return seconds < 0 ? "?" : fmt::format("{:.3f}", seconds / 3600);
-}
-
-}  // namespace
-
 std::string status_text(const std::filesystem::path& folder, const Survey& tasks) {
   const std::vector<double> left = seconds_left(tasks.status);
   std::size_t width = 5;
@@ -29,12 +21,12 @@ std::string status_text(const std::filesystem::path& folder, const Survey& tasks
     text += fmt::format(" {:<{}} {:<14} {:>9.4f} {:>10.0f} {:>10} {:>10}  {}\n",
                         tasks.list.tasks[k].name, width, name_of(task.state),
                         task.last.packing_density, task.last.increment,
-                        hours(task.last.wall_seconds), hours(left[k]), remark(task));
+                        shown_hours(task.last.wall_seconds), shown_hours(left[k]), remark(task));
     spent += task.last.wall_seconds;
     rest = rest < 0 || left[k] < 0 ? -1 : rest + left[k];
   }
   text += fmt::format("# {}\n# hours of one processor: {} spent, about {} left\n", counts(tasks),
-                      hours(spent), hours(rest));
+                      shown_hours(spent), shown_hours(rest));
   for (const std::string& name : tasks_beyond(tasks.list, folder)) {
     text += fmt::format("# {} is of an earlier plan\n", name);
   }

@@ -5,6 +5,11 @@
 paper_exponent = 0.38
 paper_phi_max(x) = 0.58 * (x / 0.25)**paper_exponent
 
+# The same as a law of mass against R, M ~ R^(3 - alpha): 2.62 +- 0.04.
+paper_mass_exponent = 3 - paper_exponent
+# Aguiar et al. 1991, crumpled wires.
+aguiar_mass_exponent = 2.75
+
 # The same: bending energies of segments over their mean are log-normal (a/R = 1/40, high torsion).
 paper_log_mean = -0.903
 paper_log_deviation = 1.275

@@ -154,6 +154,16 @@ std::string inline_figure(const std::filesystem::path& file) {
   return start == std::string::npos ? std::string() : svg.substr(start);
 }
 
+std::string links(const std::vector<RunPage>& pages) {
+  if (pages.empty()) return "";
+  std::string text;
+  for (const RunPage& page : pages) {
+    text += fmt::format("{}<a href=\"{}\">{}</a>", text.empty() ? "" : ", ",
+                        relative_link(page.file), xml_escaped(page.label));
+  }
+  return "<p>The runs to look at: " + text + "</p>\n";
+}
+
 void put(const std::filesystem::path& file, const std::string& text) {
   replace_file(output_file(file, {.inputs = {}, .force = true}), {text.begin(), text.end()});
 }
@@ -271,20 +281,19 @@ std::vector<std::string> comparison_files() {
   return files;
 }
 
-void write_comparison(const std::filesystem::path& folder, const std::string& title,
-                      const std::string& config, const std::vector<ComparedRun>& runs,
-                      const Comparison& comparison) {
+void write_comparison(const std::filesystem::path& folder, const ComparisonText& text,
+                      const std::vector<ComparedRun>& runs, const Comparison& comparison) {
+  const std::string title = xml_escaped(text.title);
   const Version build = version();
   std::string page =
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-      xml_escaped(title) +
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
       "</title>\n<style>body{font-family:sans-serif;max-width:62em;margin:2em auto;padding:0 1em}"
       "table{border-collapse:collapse;margin:1em 0}td,th{padding:.15em .6em;text-align:right;"
       "border-bottom:1px solid #ddd}td:first-child,th:first-child{text-align:left}"
       "svg{width:100%;height:auto;max-width:44em}pre{background:#f5f5f5;padding:1em}</style></"
       "head>\n"
       "<body><h1>" +
-      xml_escaped(title) + "</h1>\n<p>" +
+      title + "</h1>\n<p>" +
       fmt::format(
           "One scenario, packed by minimization and in time, without and with friction. "
           "Common range to phi = {:.4g}; values are means over phi &plusmn; {:.3g}, which "
@@ -294,13 +303,13 @@ void write_comparison(const std::filesystem::path& folder, const std::string& ti
   for (const std::string& finding : findings(comparison)) {
     page += "<li>" + xml_escaped(finding) + "</li>\n";
   }
-  page += "</ul>\n";
+  page += "</ul>\n" + links(text.pages);
   for (const ComparedQuantity& q : comparison.quantities) {
     draw_quantity(folder, comparison, runs, q);
     page += "<h2>" + xml_escaped(heading(q)) + "</h2>\n" + html_table(comparison, q) +
             inline_figure(folder / (q.name + ".svg"));
   }
-  page += "<h2>Configuration</h2>\n<pre>" + xml_escaped(config) + "</pre>\n</body></html>\n";
+  page += "<h2>Configuration</h2>\n<pre>" + xml_escaped(text.config) + "</pre>\n</body></html>\n";
   put(folder / "comparison.json", comparison_json(comparison));
   put(folder / "comparison.html", page);
 }

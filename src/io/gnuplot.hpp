@@ -2,26 +2,41 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace wirepack {
 
-// Axes, grid and key of curves against the packing density.
-inline constexpr const char* curve_style =
-    "set xlabel 'packing density {/Symbol f}'\nset key below Left reverse maxcols 1\n"
-    "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n";
+inline constexpr const char* density_axis = "set xlabel 'packing density φ'\n";
 
-inline constexpr const char* curve_size = "14cm,12cm";
-inline constexpr const char* curve_pixels = "1200,1030";
+// Pixels of a PNG; PDF and SVG have its shape, and a PDF 14 cm to 1200 of them.
+struct Canvas {
+  int width, height;
+};
+
+// A file that the commands of a drawing read beside its data.
+struct DrawingPart {
+  std::string name, bytes;
+};
+
+// What gnuplot draws: `commands` read NAME.dat, which holds `data`, and the parts.
+struct Drawing {
+  std::string name, data, commands;
+  Canvas canvas;
+  std::vector<DrawingPart> parts;
+};
 
 // A title that gnuplot shows to the letter, with the word `title`.
 std::string gnuplot_title(const std::string& text);
 
-// Draws NAME.png, NAME.pdf and NAME.svg in the folder by these commands, and keeps the script and
-// its data, NAME.dat, beside them. `size` is that of the PDF, `pixels` that of the PNG. Each file
-// is replaced as a whole. Throws FileError where something cannot be written, or gnuplot fails or
-// is missing.
-void draw_with_gnuplot(const std::filesystem::path& folder, const std::string& name,
-                       const std::string& data, const std::string& commands,
-                       const std::string& size, const std::string& pixels);
+// A text that gnuplot shows to the letter, in quotes.
+std::string gnuplot_text(const std::string& text);
+
+// Draws NAME.png, NAME.pdf and NAME.svg in the folder, and keeps the script, NAME.gp, its data and
+// parts beside them. Each file is replaced as a whole. Throws FileError where something cannot be
+// written, or gnuplot fails or is missing.
+void draw_with_gnuplot(const std::filesystem::path& folder, const Drawing& drawing);
+
+// Draws a PNG alone. Throws as draw_with_gnuplot() does.
+void draw_png(const std::filesystem::path& png, const Drawing& drawing);
 
 }  // namespace wirepack

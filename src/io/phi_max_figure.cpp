@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <map>
 #include <set>
@@ -9,8 +11,10 @@
 #include "wirepack/observe/sample.hpp"
 #include "wirepack/packing/mean_force.hpp"
 
+#include "curve_layout.hpp"
 #include "gnuplot.hpp"
 #include "published.hpp"
+#include "setup_name.hpp"
 
 namespace wirepack {
 
@@ -55,10 +59,6 @@ std::vector<Reading> readings_of(const std::vector<FigureRun>& runs,
   return readings;
 }
 
-std::string name_in_key(Setup setup) {
-  return setup == Setup::high_torsion ? "high torsion" : "low torsion";
-}
-
 // Series of one setup are told apart by their first runs.
 std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double threshold) {
   std::vector<std::size_t> all(runs.size());
@@ -69,7 +69,7 @@ std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double
   std::vector<ReadingSeries> series;
   for (const auto& group : groups) {
     const FigureRun& first = runs[group.front()];
-    std::string name = name_in_key(first.scenario.setup);
+    std::string name = setup_name(first.scenario.setup);
     if (uses[first.scenario.setup] > 1) name += fmt::format(", as {}", first.label);
     std::vector<Reading> readings = readings_of(runs, group, threshold);
     if (!readings.empty()) series.push_back({name, std::move(readings)});
@@ -77,13 +77,15 @@ std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double
   return series;
 }
 
+// The mass is that of the wire over that of a ball of its radius: phi_max (R/a)^3.
 std::string block(const ReadingSeries& series) {
-  std::string text =
-      fmt::format("# {}\n# a/R phi_max standard_error runs\n", plain_text(series.name));
+  std::string text = fmt::format("# {}\n# a/R phi_max standard_error runs R/a mass its_error\n",
+                                 plain_text(series.name));
   for (const Reading& reading : series.readings) {
     const Sample s = sample(reading.densities);
-    text += fmt::format("{} {} {} {}\n", reading.ratio, s.mean,
-                        s.count > 1 ? s.standard_error() : 0, s.count);
+    const double error = s.count > 1 ? s.standard_error() : 0, balls = std::pow(reading.ratio, -3);
+    text += fmt::format("{} {} {} {} {} {} {}\n", reading.ratio, s.mean, error, s.count,
+                        1 / reading.ratio, s.mean * balls, error * balls);
   }
   return text + "\n\n";
 }
@@ -104,10 +106,8 @@ std::string fitted_law(const ReadingSeries& series, std::size_t colour) {
 }
 
 constexpr const char* axes =
-    "set logscale xy\nset xrange [0.015:0.4]\nset yrange [0.1:1]\n"
-    "set xtics (0.02, 0.05, 0.1, 0.2)\nset ytics (0.1, 0.2, 0.3, 0.5, 0.7, 1)\n"
-    "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
-    "set key below Left reverse maxcols 1\n"
+    "set logscale xy\nset xrange [0.015:0.4]\nset yrange [0.03:1]\n"
+    "set xtics (0.02, 0.05, 0.1, 0.2)\nset ytics (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1)\n"
     "set object 1 rectangle from graph 0, first coils_lowest to graph 1, first coils_highest "
     "behind fs solid 0.5 noborder fc rgb '#e8e8e8'\n"
     "set label 1 'endovascular coils, clinical' at graph 0.98, first 0.215 right tc rgb "
@@ -118,27 +118,61 @@ constexpr const char* published_curves =
     "high torsion: exponent %.2f', paper_exponent), "
     "$phages using 1:2 with points pt 4 ps 1 lc rgb '#555555' title 'DNA in phages'";
 
+std::string mass_inset(const CurveLayout& layout, std::size_t series) {
+  std::string text = layout.inset({0.4, 0.99, 0.01, 0.47}) +
+                     "unset object 1\nunset label 1\nset xrange [2.5:60]\nset yrange [5:1e5]\n"
+                     "set xtics (5, 10, 20, 50)\nset ytics autofreq\nset format y '10^{%T}'\n"
+                     "set xlabel 'R / a'\nset ylabel 'mass φ (R/a)^3'\n"
+                     "set label 2 sprintf('Stoop et al. 2011: %.2f', paper_mass_exponent) at graph "
+                     "0.98, 0.26 right "
+                     "font small\n"
+                     "set label 3 sprintf('Aguiar et al. 1991: %.2f', aguiar_mass_exponent) at "
+                     "graph 0.98, 0.1 right "
+                     "font small tc rgb '#888888'\nplot ";
+  for (std::size_t k = 0; k < series; ++k) {
+    text += fmt::format(
+        "'phi_max.dat' index {} using 5:6:7 with yerrorbars pt 7 ps 0.8 "
+        "lc {}, ",
+        k, k + 1);
+  }
+  return text +
+         "paper_phi_max(1/x) * x**3 with lines dashtype 2 lc rgb 'black', "
+         "paper_phi_max(0.25) * 64 * (x / 4)**aguiar_mass_exponent with lines dashtype 3 "
+         "lc rgb '#888888'\n";
+}
+
+bool has_two_radii(const std::vector<ReadingSeries>& series) {
+  return std::any_of(series.begin(), series.end(),
+                     [](const ReadingSeries& s) { return s.readings.size() > 1; });
+}
+
 }  // namespace
 
-bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
-                  double threshold) {
+PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
+                          double threshold) {
   const std::vector<ReadingSeries> series = all_series(runs, threshold);
-  if (series.empty()) return false;
+  if (series.empty()) return PhiMaxFigure::none;
   std::string data, points, laws;
+  std::size_t key_lines = series.size() + 2;
   for (std::size_t k = 0; k < series.size(); ++k) {
     data += block(series[k]);
     points += fmt::format(
         "'phi_max.dat' index {} using 1:2:3 with yerrorbars pt 7 ps 1 lw 1.5 lc {} {}, ", k, k + 1,
         gnuplot_title(series[k].name));
-    laws += fitted_law(series[k], k + 1);
+    const std::string law = fitted_law(series[k], k + 1);
+    if (!law.empty()) ++key_lines;
+    laws += law;
   }
+  const CurveLayout layout(key_lines);
+  const bool whole = has_two_radii(series);
   const std::string commands =
-      std::string(published_numbers) +
+      std::string(published_numbers) + "set multiplot\n" + layout.graph() +
       fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
                   threshold) +
-      axes + "plot " + points + published_curves + laws + "\n";
-  draw_with_gnuplot(folder, "phi_max", data, commands, curve_size, curve_pixels);
-  return true;
+      axes + "plot " + points + published_curves + laws + "\n" +
+      (whole ? mass_inset(layout, series.size()) : "") + "unset multiplot\nreset\n";
+  draw_with_gnuplot(folder, {"phi_max", data, commands, layout.canvas(), {}});
+  return whole ? PhiMaxFigure::whole : PhiMaxFigure::without_inset;
 }
 
 }  // namespace wirepack

@@ -7,6 +7,7 @@
 #include "wirepack/observe/log_normal.hpp"
 #include "wirepack/observe/spool_model.hpp"
 
+#include "curve_layout.hpp"
 #include "gnuplot.hpp"
 #include "published.hpp"
 #include "run_groups.hpp"
@@ -58,11 +59,9 @@ std::string curves(const std::vector<RunGroup>& groups) {
   return text;
 }
 
-// Plots every group's column, with its band of errors. `name_of` gives the title of a group, or
-// nothing.
-template <class NameOf>
-std::string plot_groups(const std::vector<RunGroup>& groups, const std::string& figure, int column,
-                        int dash, const NameOf& name_of) {
+// Plots every group's column, with its band of errors.
+std::string plot_curves(const std::vector<RunGroup>& groups, const std::string& figure,
+                        int column) {
   std::string text;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const std::string data = fmt::format("'{}.dat' index {}", figure, k);
@@ -72,26 +71,47 @@ std::string plot_groups(const std::vector<RunGroup>& groups, const std::string& 
           "noborder notitle, ",
           data, column, column + 1, k + 1);
     }
-    const std::string name = name_of(k);
-    text += fmt::format("{} using 1:{} with lines lw 1.5 dashtype {} lc {} {}, ", data, column,
-                        dash, k + 1, name.empty() ? "notitle" : gnuplot_title(name));
+    text += fmt::format("{} using 1:{} with lines lw 1.5 lc {} {}, ", data, column, k + 1,
+                        gnuplot_title(groups[k].label));
   }
   return text;
 }
 
-std::string plot_curves(const std::vector<RunGroup>& groups, const std::string& figure,
-                        int column) {
-  return plot_groups(groups, figure, column, 1, [&](std::size_t k) { return groups[k].label; });
-}
-
 constexpr const char* spool_name = "dashed: inverse spool, d = 2.81 a";
 
-double largest(const std::vector<RunGroup>& groups, Sample CurvePoint::*quantity) {
+// To a packing density.
+double largest(const std::vector<RunGroup>& groups, Sample CurvePoint::*quantity, double end = 1) {
   double top = 0;
   for (const RunGroup& group : groups) {
-    for (const CurvePoint& point : group.points) top = std::max(top, (point.*quantity).mean);
+    for (const CurvePoint& point : group.points) {
+      if (point.packing_density <= end) top = std::max(top, (point.*quantity).mean);
+    }
   }
   return top;
+}
+
+double last_density(const std::vector<RunGroup>& groups) {
+  double last = 0;
+  for (const RunGroup& group : groups) {
+    if (!group.points.empty()) last = std::max(last, group.points.back().packing_density);
+  }
+  return last > 0 ? last : 1;
+}
+
+std::string density_range(const std::vector<RunGroup>& groups) {
+  return fmt::format("set xrange [0:{:.4g}]\n", last_density(groups));
+}
+
+// Torsional energies over the bending energy below which a log axis would show round-off.
+constexpr double no_torsion = 1e-9;
+
+std::string torsion_curves(const std::vector<RunGroup>& groups, const std::string& figure) {
+  const double top = std::max(1e-9, largest(groups, &CurvePoint::twist));
+  return fmt::format(
+             "set ylabel 'torsional energy E R / YI'\nset logscale y\nset format y '10^{{%T}}'\n"
+             "set yrange [{:.3g}:{:.3g}]\nplot ",
+             1e-4 * top, 2 * top) +
+         plot_curves(groups, figure, twist_column) + "NaN notitle\n";
 }
 
 constexpr double bin = 0.25, lowest_log = -9, highest_log = 4;
@@ -122,6 +142,13 @@ std::string histogram(const std::vector<double>& ratios) {
   return text + "\n\n";
 }
 
+// All but the lowest half per cent are above.
+double decade_of_the_lowest(std::vector<double> ratios) {
+  const auto low = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 200);
+  std::nth_element(ratios.begin(), low, ratios.end());
+  return std::pow(10, std::floor(std::log10(std::max(*low, std::exp(lowest_log)))));
+}
+
 }  // namespace
 
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
@@ -136,20 +163,24 @@ void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun
   for (std::size_t k = 1; k < groups.size(); ++k) {
     if (end(k) > end(furthest)) furthest = k;
   }
+  const CurveLayout layout(groups.size() + 1);
   draw_with_gnuplot(
-      folder, "force", curves(groups),
-      curve_style +
-          fmt::format("set ylabel 'injection force F R^2 / YI'\nset logscale y\n"
-                      "set yrange [0.1:{:.3g}]\nplot ",
-                      1.5 * top) +
-          plot_curves(groups, "force", force_column) +
-          fmt::format("'force.dat' index {} using 1:{} with lines lw 1.5 dashtype 2 lc rgb 'black' "
-                      "{}\n",
-                      groups.size() + furthest, int(force_column), gnuplot_title(spool_name)),
-      curve_size, curve_pixels);
+      folder,
+      {"force",
+       curves(groups),
+       layout.graph() + density_axis + density_range(groups) +
+           fmt::format("set ylabel 'injection force F R^2 / YI'\nset logscale y\n"
+                       "set yrange [0.1:{:.3g}]\nplot ",
+                       1.5 * top) +
+           plot_curves(groups, "force", force_column) +
+           fmt::format(
+               "'force.dat' index {} using 1:{} with lines lw 1.5 dashtype 2 lc rgb 'black' {}\n",
+               groups.size() + furthest, int(force_column), gnuplot_title(spool_name)),
+       layout.canvas(),
+       {}});
 }
 
-void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+bool draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   const std::vector<RunGroup> groups = run_groups(runs);
   const double top = std::max(1e-3, largest(groups, &CurvePoint::bend));
   std::string spools;
@@ -159,34 +190,42 @@ void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
         groups.size() + k, int(bend_column), k + 1, k == 0 ? gnuplot_title(spool_name) : "notitle",
         k + 1 < groups.size() ? ", " : "\n");
   }
+  const CurveLayout layout(groups.size() + 1);
+  const CurveLayout::Box box{0.02, 0.46, 0.5, 1};
+  const bool twisted = largest(groups, &CurvePoint::twist) > no_torsion * top;
+  // below the inset there is room for the curves
+  const double beside = largest(groups, &CurvePoint::bend, box.right * last_density(groups));
+  const double range = std::max(1.35 * top, twisted ? beside / (0.95 * box.bottom) : 0);
+  const std::string torsion = twisted ? layout.inset(box) + torsion_curves(groups, "energy") : "";
   draw_with_gnuplot(
-      folder, "energy", curves(groups),
-      curve_style +
-          fmt::format("set ylabel 'bending energy E R / YI'\nset yrange [0:{:.3g}]\nplot ",
-                      1.35 * top) +
-          plot_curves(groups, "energy", bend_column) +
-          plot_groups(groups, "energy", twist_column, 3,
-                      [](std::size_t k) { return k == 0 ? "dotted: torsional energy" : ""; }) +
-          spools,
-      curve_size, curve_pixels);
+      folder, {"energy",
+               curves(groups),
+               "set multiplot\n" + layout.graph() + density_axis + density_range(groups) +
+                   fmt::format("set ylabel 'bending energy E R / YI'\nset yrange [0:{:.3g}]\nplot ",
+                               range) +
+                   plot_curves(groups, "energy", bend_column) + spools + torsion +
+                   "unset multiplot\nreset\n",
+               layout.canvas(),
+               {}});
+  return twisted;
 }
 
 void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   const std::vector<RunGroup> groups = run_groups(runs);
-  const double top = std::max(1e-3, largest(groups, &CurvePoint::twist));
-  draw_with_gnuplot(folder, "torsion", curves(groups),
-                    curve_style +
-                        fmt::format("set ylabel 'torsional energy E R / YI'\nset logscale y\n"
-                                    "set yrange [{:.3g}:{:.3g}]\nplot ",
-                                    1e-4 * top, 2 * top) +
-                        plot_curves(groups, "torsion", twist_column) + "NaN notitle\n",
-                    curve_size, curve_pixels);
+  const CurveLayout layout(groups.size());
+  draw_with_gnuplot(folder, {"torsion",
+                             curves(groups),
+                             layout.graph() + density_axis + density_range(groups) +
+                                 torsion_curves(groups, "torsion"),
+                             layout.canvas(),
+                             {}});
 }
 
 void draw_bend_distribution(const std::filesystem::path& folder,
                             const std::vector<FigureRun>& runs) {
   std::string data, plots;
   std::size_t block = 0;
+  double lowest_shown = 0.01;  // the published law is next to nothing below
   for (const RunGroup& group : run_groups(runs)) {
     const std::vector<double> ratios = energies_over_mean(group);
     if (ratios.size() < 2) continue;
@@ -194,25 +233,28 @@ void draw_bend_distribution(const std::filesystem::path& folder,
     data += fmt::format("# {} at a density of {:.3g}\n# x=E/<E> share_per_unit_of_ln_x\n",
                         plain_text(group.label), group.runs.front()->frame.packing_density);
     data += histogram(ratios);
+    lowest_shown = std::min(lowest_shown, decade_of_the_lowest(ratios));
     plots += fmt::format(
         "'bend_distribution.dat' index {} with histeps lw 1.5 lc {} {}, "
         "exp(-((log(x) - {:.6g}) / {:.6g})**2 / 2) / (sqrt(2 * pi) * {:.6g}) with lines lw 1.5 lc "
-        "{} title 'log-normal: {{/Symbol m}} = {:.2f}, {{/Symbol s}} = {:.2f}', ",
+        "{} title 'log-normal: μ = {:.2f}, σ = {:.2f}', ",
         block, block + 1, gnuplot_title(group.label), fit.mu, fit.sigma, fit.sigma, block + 1,
         fit.mu, fit.sigma);
     ++block;
   }
+  const CurveLayout layout(2 * block + 1);
   const std::string commands =
-      std::string(published_numbers) +
-      "set xlabel 'bending energy of a joint over the mean, x'\n"
-      "set ylabel 'share of the joints per unit of ln x'\nset logscale x\n"
-      "set xrange [1e-4:30]\nset yrange [0:*]\nset format x '10^{%T}'\nset samples 400\n"
-      "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\n"
-      "set key below Left reverse maxcols 1\nplot " +
+      std::string(published_numbers) + layout.graph() +
+      fmt::format(
+          "set xlabel 'bending energy of a joint over the mean, x'\n"
+          "set ylabel 'share of the joints per unit of ln x'\nset logscale x\n"
+          "set xrange [{:.3g}:30]\nset yrange [0:*]\nset format x '10^{{%T}}'\n"
+          "set samples 400\nplot ",
+          lowest_shown) +
       plots +
       "paper_bend_distribution(x) with lines dashtype 2 lc rgb 'black' title 'Stoop et al. 2011: "
       "high torsion, a/R = 1/40'\n";
-  draw_with_gnuplot(folder, "bend_distribution", data, commands, curve_size, curve_pixels);
+  draw_with_gnuplot(folder, {"bend_distribution", data, commands, layout.canvas(), {}});
 }
 
 }  // namespace wirepack

@@ -8,6 +8,8 @@
 
 #include "wirepack/io/scenario_groups.hpp"
 
+#include "setup_name.hpp"
+
 namespace wirepack {
 
 namespace {
@@ -71,8 +73,7 @@ void name_groups(std::vector<RunGroup>& groups) {
   std::map<std::string, int> uses;
   const auto name = [](const RunGroup& group) {
     const Scenario& scenario = group.runs.front()->scenario;
-    return fmt::format("{} torsion, R = {:.3g} a, {} seeds",
-                       scenario.setup == Setup::high_torsion ? "high" : "low",
+    return fmt::format("{}, R = {:.3g} a, {} seeds", setup_name(scenario.setup),
                        scenario.cavity.radius / scenario.wire.radius, group.runs.size());
   };
   for (const RunGroup& group : groups) ++uses[name(group)];

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <stdexcept>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/sweep_folder.hpp"
+#include "wirepack/io/view_page.hpp"
 
 #include "atomic_file.hpp"
 #include "xml_text.hpp"
@@ -26,7 +28,7 @@ constexpr std::string_view head =
 body{font:15px sans-serif;max-width:80em;margin:2em auto;padding:0 1em}
 table{border-collapse:collapse}
 td,th{padding:.3em .8em;border-bottom:1px solid #ddd;text-align:right;vertical-align:middle}
-td:first-child,th:first-child,td:last-child{text-align:left}svg{display:block}
+td:first-child,th:first-child,td:last-child{text-align:left}svg{display:block}a{display:inline-block;text-align:center;font-size:small}
 svg *{fill:none;stroke:#1f77b4;stroke-width:1}svg .edge{stroke:#aaa}
 .done{color:#1a7f37}.failed{color:#c00}.running{color:#1f77b4}</style></head><body>
 )HTML";
@@ -77,13 +79,29 @@ std::string curve(const Hdf5Reader& reader, double largest_density) {
   return drawing(curve_width, frame + line.svg());
 }
 
+// A drawing that leads to the page of a run; without that, the drawing and the reason.
+std::string linked(const std::string& drawing, const std::filesystem::path& folder,
+                   const std::string& task) {
+  const std::string page = task + "/view.html";
+  try {
+    update_view_page(folder / task / task_result_file, folder / page);
+  } catch (const std::runtime_error& error) {  // of files, or a folder in the place of the page
+    return drawing + "no page: " + xml_escaped(error.what());
+  }
+  return fmt::format("<a href=\"{}\" aria-label=\"{}, page\">{}page</a>", relative_link(page),
+                     xml_escaped(task), drawing);
+}
+
 // Both drawings as cells of a table; empty ones where there is nothing that can be read.
-std::string drawings(const std::filesystem::path& result, const Scenario& scenario,
+std::string drawings(const std::filesystem::path& folder, const SweepPageTask& task,
                      double largest_density) {
+  const std::filesystem::path result = folder / task.name / task_result_file;
   try {
     if (std::filesystem::exists(result)) {
       const Hdf5Reader reader(result);
-      return fmt::format("<td>{}</td><td>{}</td>", picture(reader, scenario),
+      const std::string wire = picture(reader, task.status.scenario);
+      return fmt::format("<td>{}</td><td>{}</td>",
+                         wire.empty() ? wire : linked(wire, folder, task.name),
                          curve(reader, largest_density));
     }
   } catch (const FileError&) {  // the state says that it is damaged
@@ -91,11 +109,11 @@ std::string drawings(const std::filesystem::path& result, const Scenario& scenar
   return "<td></td><td></td>";
 }
 
-std::string hours(double seconds) {
+}  // namespace
+
+std::string shown_hours(double seconds) {
   return seconds < 0 ? "?" : fmt::format("{:.3f}", seconds / 3600);
 }
-
-}  // namespace
 
 std::filesystem::path write_sweep_page(const std::filesystem::path& folder,
                                        const std::string& summary,
@@ -119,8 +137,8 @@ std::filesystem::path write_sweep_page(const std::filesystem::path& folder,
         "class=\"{}\">{}</td><td>{:.4f}</td><td>{:.0f}</td><td>{}</td><td>{}</td>"
         "{}<td>{}</td></tr>\n",
         xml_escaped(task.name), name_of(status.state), name_of(status.state), last.packing_density,
-        last.increment, hours(last.wall_seconds), hours(task.seconds_left),
-        drawings(folder / task.name / task_result_file, status.scenario, largest_density),
+        last.increment, shown_hours(last.wall_seconds), shown_hours(task.seconds_left),
+        drawings(folder, task, largest_density),
         xml_escaped(status.remark.empty() ? status.stop_reason : status.remark));
   }
   text += "</table></body></html>\n";

@@ -11,8 +11,10 @@
 
 #include "coded_field.hpp"
 #include "compressed_text.hpp"
+#include "frame_spread.hpp"
 #include "node_fields.hpp"
 #include "packed_numbers.hpp"
+#include "setup_name.hpp"
 
 namespace wirepack {
 
@@ -54,13 +56,6 @@ constexpr ViewColumn columns[] = {
     {"residual", "residual", "YI/R²",
      [](const Scenario&, const HistoryRow& r) { return r.residual; }},
 };
-
-std::vector<std::int64_t> spread(const std::vector<std::int64_t>& frames, std::size_t most) {
-  if (frames.size() <= most) return frames;
-  std::vector<std::int64_t> chosen;
-  for (std::size_t k = 1; k <= most; ++k) chosen.push_back(frames[k * frames.size() / most - 1]);
-  return chosen;
-}
 
 /// Coordinates over `quantum`, rounded: all x, all y, all z.
 std::vector<std::int16_t> rounded(const Points& nodes, double quantum) {
@@ -184,7 +179,7 @@ std::string view_data(const std::filesystem::path& result, std::size_t most_fram
   }
   Json json;
   json["name"] = result.filename().string();
-  json["setup"] = scenario.setup == Setup::low_torsion ? "low torsion" : "high torsion";
+  json["setup"] = setup_name(scenario.setup);
   json["method"] = scenario.method == Method::dynamic ? "in time" : "quasi-static";
   json["wire_radius"] = scenario.wire.radius;
   json["cavity_radius"] = scenario.cavity.radius;

@@ -1,6 +1,7 @@
 """wirepack compare: both methods on one scenario."""
 
 import json
+import re
 import shutil
 import unittest
 
@@ -37,9 +38,16 @@ class Compare(ProgramTest):
         page = (self.folder / "out" / "comparison.html").read_text()
         self.assertIn("<svg", page)
         self.assertNotIn("src=", page)
+        self.assertFalse("<a " in page)
         history = (self.folder / "out" / "dynamic.h5").read_bytes()
-        code, again, err = self.run_program(*command)
+        code, again, err = self.run_program(*command, "--page")
         self.assertEqual((code, again), (0, out), err)
+        page = (self.folder / "out" / "comparison.html").read_text()
+        links = re.findall(r'<a href="\./([^"]*)">([^<]*)</a>', page)
+        ways = ("quasistatic", "dynamic", "quasistatic_friction", "dynamic_friction")
+        self.assertEqual(links, [(f"{way}.html", f"{way}, seed 1") for way in ways])
+        for file, _ in links:
+            self.assertIn("<canvas", (self.folder / "out" / file).read_text())
         self.assertEqual(history, (self.folder / "out" / "dynamic.h5").read_bytes())
         code, _, err = self.run_program(*command, "--set", "wire.poisson_ratio=0.2")
         self.assertEqual(code, 2)

@@ -1,5 +1,8 @@
 """wirepack figures: the data behind the pictures are right, wrong input is refused."""
 
+import os
+import re
+import struct
 import unittest
 
 import h5py
@@ -8,66 +11,161 @@ import numpy
 from support import SMALL_RUN, ProgramTest
 
 
+# Draws nothing, but keeps the scripts of packings.
+GNUPLOT = (
+    'PATH=/usr/bin:/bin\nname=${1%.gp}\n[[ $name == packing ]] && cat $1 >> "$SCRIPTS"\n'
+    "for ending in png pdf svg; do echo $ending > $name.$ending; done\n"
+)
+FFMPEG = 'PATH=/usr/bin:/bin\necho "$*" > "$SCRIPTS.ffmpeg"\nls ../film > film.mp4\n'
+
+
 class Figures(ProgramTest):
+    def programs(self, **scripts):
+        """An environment with these programs alone."""
+        folder = self.folder / "bin"
+        folder.mkdir(exist_ok=True)
+        for name, script in scripts.items():
+            (folder / name).write_text("#!/bin/bash\n" + script)
+            (folder / name).chmod(0o755)
+        return {**os.environ, "PATH": str(folder), "SCRIPTS": str(self.folder / "scripts")}
+
+    def figures(self, *arguments):
+        """Only the data and scripts of figures, which takes a tenth of the time."""
+        return self.run_program("figures", *arguments, env=self.programs(gnuplot=GNUPLOT))
+
     def make_result(self, name="result.h5"):
         self.write("scenario.toml", SMALL_RUN)
         code, _, err = self.run_program("run", "scenario.toml", "-o", name)
         self.assertEqual(code, 0, err)
 
-    def test_tube_keeps_its_radius_is_closed_and_every_colour_is_a_number(self):
+    def test_every_figure_is_drawn_in_three_formats_and_a_film_in_even_sizes(self):
         self.make_result()
-        code, out, err = self.run_program("figures", "result.h5", "-o", "figures")
+        code, out, err = self.run_program(
+            "figures", "result.h5", "-o", "figures", "--film", "--frames", "1"
+        )
         self.assertEqual(code, 0, err)
         self.assertIn("packing.png", out)
-        text = (self.folder / "figures" / "packing.dat").read_text()
-        rings = [
-            numpy.array([line.split() for line in block.splitlines() if line[:1] != "#"], float)
-            for block in text.split("\n\n")
-            if block.strip()
-        ]
-        self.assertGreater(len(rings), 30)
-        for k, ring in enumerate(rings):
-            self.assertTrue(numpy.isfinite(ring).all())
-            centre = ring[:-1, :3].mean(axis=0)
-            distance = numpy.linalg.norm(ring[:, :3] - centre, axis=1)
-            at_end = k in (0, len(rings) - 1)
-            numpy.testing.assert_allclose(distance, 0 if at_end else 1, atol=1e-3)
-        drawn = ("packing", "section", "force", "energy", "torsion", "bend_distribution")
+        drawn = ("packing", "force", "energy", "torsion", "bend_distribution")
         for name in drawn:
             for ending, start in ((".png", b"\x89PNG"), (".pdf", b"%PDF"), (".svg", b"<?xml")):
                 data = (self.folder / "figures" / (name + ending)).read_bytes()
                 self.assertEqual(data[: len(start)], start)
                 self.assertGreater(len(data), 4000)
+        data = (self.folder / "figures/film/0001.png").read_bytes()
+        width, height = struct.unpack(">II", data[16:24])
+        self.assertGreater(width, 1000)
+        self.assertEqual((width % 2, height % 2), (0, 0))
 
-    def test_sections_are_ellipses_of_the_wire_inside_the_cavity(self):
+    def picture(self, name="figures/packing.ppm"):
+        """Pixels of the views of a packing."""
+        header, _, pixels = (self.folder / name).read_bytes().partition(b"\n255\n")
+        width, height = map(int, header.split()[1:])
+        return numpy.frombuffer(pixels, numpy.uint8).reshape(height, width, 3)
+
+    def put_a_ring(self, name, radius):
+        """A ring of wire about the axis z in the place of a run's last frame, of one energy."""
+        with h5py.File(self.folder / name, "r+") as file:
+            frame = file["frames"][sorted(file["frames"])[-1]]
+            frame.attrs.pop("checksum", None)
+            n = 101
+            angle = numpy.linspace(0.01, 2 * numpy.pi - 0.01, n)
+            values = {
+                "position": numpy.stack(
+                    [radius * numpy.cos(angle), radius * numpy.sin(angle), 0 * angle], axis=1
+                ),
+                "quaternion": numpy.tile([1.0, 0, 0, 0], (n - 1, 1)),
+                "bend_energy": numpy.full(n, 0.002),
+                "twist_energy": numpy.zeros(n),
+                "wall_force": numpy.zeros(n),
+                "contact_pairs": numpy.zeros((0, 2), int),
+                "contact_force": numpy.zeros(0),
+            }
+            for dataset in list(frame):
+                del frame[dataset]
+            for key, value in values.items():
+                frame[key] = value
+
+    def test_a_ring_is_cut_in_discs_and_seen_from_above_as_an_ellipse(self):
         self.make_result()
-        code, _, err = self.run_program("figures", "result.h5", "-o", "figures")
+        self.put_a_ring("result.h5", 2.5)
+        code, _, err = self.figures("result.h5", "-o", "figures")
         self.assertEqual(code, 0, err)
-        rows = numpy.loadtxt(self.folder / "figures" / "section.dat", ndmin=2)
-        self.assertGreater(len(rows), 0)
-        self.assertTrue((numpy.hypot(rows[:, 0], rows[:, 1]) < 5).all())
-        self.assertTrue((rows[:, 3] == 2).all())  # a diameter
-        self.assertTrue((rows[:, 2] >= rows[:, 3]).all())
+        pixels = self.picture()
+        size = pixels.shape[0]
+        self.assertEqual(pixels.shape, (size, 2 * size, 3))
+        half = 1.05 * 4
+        place = (numpy.arange(size) + 0.5) / size * 2 * half - half
+        x, z = numpy.meshgrid(place, -place)
+        seen = (pixels != 255).any(axis=2)
+        pixel = (2 * half / size) ** 2
+        cut = pixels[:, size:]
+        colours = set()
+        for middle in (-2.5, 2.5):
+            distance = numpy.hypot(x - middle, z)
+            colours |= set(map(tuple, cut[distance < 0.9]))  # the face is flat
+        self.assertEqual(len(colours), 1)
+        # between its faces the ring is seen from inside, as high as it is thick
+        self.assertAlmostEqual(
+            seen[:, size:].sum() * pixel, 2 * 2.5 * 2 + numpy.pi, delta=0.01 * (10 + numpy.pi)
+        )
+        # from outside, 25 degrees above the plane of the ring: the silhouette of a torus
+        angle = numpy.linspace(0, 2 * numpy.pi, 2000)
+        height = numpy.sin(numpy.radians(25))
+        ring = numpy.stack([2.5 * numpy.cos(angle), 2.5 * height * numpy.sin(angle)])
+        outside = seen[:, :size]
+        for k in range(0, size, 16):
+            for m in range(0, size, 16):
+                spot = numpy.array([[place[m]], [-place[k]]])
+                distance = numpy.linalg.norm(ring - spot, axis=0).min()
+                if abs(distance - 1) > 0.03:
+                    self.assertEqual(outside[k, m], distance < 1, (spot, distance))
+
+    def test_the_first_runs_of_both_setups_stand_side_by_side(self):
+        self.write("scenario.toml", SMALL_RUN)
+        for name, setup in (("a", "high"), ("b", "high"), ("c", "low"), ("d", "low")):
+            code, _, err = self.run_program(
+                "run",
+                "scenario.toml",
+                "-o",
+                f"{name}.h5",
+                "--set",
+                f"packing.setup='{setup}_torsion'",
+                "--set",
+                f"stop.increments={30 + ord(name) % 5}",
+            )
+            self.assertEqual(code, 0, err)
+        code, _, err = self.figures("a.h5", "b.h5", "c.h5", "d.h5", "-o", "figures")
+        self.assertEqual(code, 0, err)
+        pixels = self.picture()
+        self.assertEqual(pixels.shape[0], pixels.shape[1])  # two views, one above the other, each
+        for block, name in zip(self.blocks("packing"), ("a", "c"), strict=True):
+            with h5py.File(self.folder / f"{name}.h5") as result:
+                last = result["frames"][sorted(result["frames"])[-1]]
+                numpy.testing.assert_allclose(block[:, :3], last["position"], atol=1e-4)
+        script = (self.folder / "figures/packing.gp").read_text()
+        self.assertLess(script.find("'high torsion, R = 4 a"), script.find("'low torsion, R = 4 a"))
+        self.figures("c.h5", "-o", "alone")
+        views = numpy.hsplit(self.picture("alone/packing.ppm"), 2)
+        size = len(views[0])
+        numpy.testing.assert_array_equal(pixels[size:, size:], views[1])  # the same, alone
 
     def test_the_frame_is_the_one_that_was_asked_for(self):
         self.make_result()
         for number, option in enumerate((("--frame", "1"), ("--density", "0.01"))):
-            code, _, err = self.run_program(
-                "figures", "result.h5", "-o", f"early{number}", *option
-            )
+            code, _, err = self.figures("result.h5", "-o", f"early{number}", *option)
             self.assertEqual(code, 0, err)
         self.assertEqual(
             (self.folder / "early0" / "packing.dat").read_text(),
             (self.folder / "early1" / "packing.dat").read_text(),
         )
         for option in (("--frame", "100000"), ("--density", "0.9")):
-            code, _, err = self.run_program("figures", "result.h5", "-o", "no", *option)
+            code, _, err = self.figures("result.h5", "-o", "no", *option)
             self.assertEqual(code, 2, err)
             self.assertIn("frames", err)
             self.assertFalse((self.folder / "no").exists())
 
     def test_names_with_quotes_and_underscores_are_drawn_to_the_letter(self):
-        name = "it's a_\"b\".h5"
+        name = 'it\'s a_"b".h5'
         self.make_result(name)
         code, _, err = self.run_program("figures", name, "-o", "fig'ures")
         self.assertEqual(code, 0, err)
@@ -99,7 +197,7 @@ class Figures(ProgramTest):
 
     def test_seeds_of_one_scenario_are_drawn_as_their_mean_with_its_standard_error(self):
         runs = [self.make_packing(f"{seed}.h5", seed) for seed in (1, 2, 3)]
-        code, _, err = self.run_program("figures", "1.h5", "2.h5", "3.h5", "-o", "figures")
+        code, _, err = self.figures("1.h5", "2.h5", "3.h5", "-o", "figures")
         self.assertEqual(code, 0, err)
         self.assertEqual(len(self.blocks("force")), 2)  # the mean, and the model
         mean = self.blocks("force")[0]
@@ -132,17 +230,16 @@ class Figures(ProgramTest):
         length, force = run["inserted_length"], run["scaled_force"]
         mean = self.mean_force(run)
         highest = mean.argmax()
-        code, _, err = self.run_program(
-            "figures", "1.h5", "-o", "figures", "--threshold", str(0.9999 * mean[highest])
+        code, _, err = self.figures(
+            "1.h5", "-o", "figures", "--threshold", str(0.9999 * mean[highest])
         )
         self.assertEqual(code, 0, err)
-        ((ratio, density, error, count),) = self.blocks("phi_max")[0]
-        self.assertEqual((ratio, error, count), (0.25, 0, 1))
+        ((ratio, density, error, count, radius, mass, _),) = self.blocks("phi_max")[0]
+        self.assertEqual((ratio, error, count, radius), (0.25, 0, 1, 4))
+        self.assertAlmostEqual(mass, 64 * density, delta=1e-9)  # of 4/3 pi R^3 phi over 4/3 pi a^3
         self.assertAlmostEqual(density, run["packing_density"][highest], delta=1e-9)
         self.assertIn("Stoop", (self.folder / "figures" / "phi_max.gp").read_text())
-        code, out, err = self.run_program(
-            "figures", "1.h5", "-o", "none", "--threshold", str(100 * mean[highest])
-        )
+        code, out, err = self.figures("1.h5", "-o", "none", "--threshold", str(100 * mean[highest]))
         self.assertEqual(code, 0, err)
         self.assertIn("no phi_max: no run reaches", out)
         self.assertFalse((self.folder / "none" / "phi_max.png").exists())
@@ -154,8 +251,8 @@ class Figures(ProgramTest):
         runs.append(self.make_packing("rough.h5", 1, *curved, *friction))
         means = [self.mean_force(run) for run in runs]
         threshold = 0.9 * min(mean.max() for mean in means)
-        code, _, err = self.run_program(
-            "figures", "1.h5", "2.h5", "rough.h5", "-o", "figures", "--threshold", str(threshold)
+        code, _, err = self.figures(
+            "1.h5", "2.h5", "rough.h5", "-o", "figures", "--threshold", str(threshold)
         )
         self.assertEqual(code, 0, err)
         first = [
@@ -164,16 +261,18 @@ class Figures(ProgramTest):
         smooth, rough = self.blocks("phi_max")
         self.assertNotEqual(first[0], first[1])
         numpy.testing.assert_allclose(
-            smooth, [[0.25, (first[0] + first[1]) / 2, abs(first[0] - first[1]) / 2, 2]], rtol=1e-5
+            smooth[:, :4],
+            [[0.25, (first[0] + first[1]) / 2, abs(first[0] - first[1]) / 2, 2]],
+            rtol=1e-5,
         )
-        numpy.testing.assert_allclose(rough, [[0.25, first[2], 0, 1]], rtol=1e-5)
+        numpy.testing.assert_allclose(rough[:, :4], [[0.25, first[2], 0, 1]], rtol=1e-5)
         key = (self.folder / "figures" / "phi_max.gp").read_text()
         self.assertIn("low torsion, as 1", key)
         self.assertIn("low torsion, as rough", key)
 
     def test_bend_energies_over_their_mean_are_spread_with_an_area_of_one(self):
         self.make_packing("1.h5", 1)
-        code, _, err = self.run_program("figures", "1.h5", "-o", "figures")
+        code, _, err = self.figures("1.h5", "-o", "figures")
         self.assertEqual(code, 0, err)
         bars = self.blocks("bend_distribution")[0]
         width = numpy.diff(numpy.log(bars[:, 0]))
@@ -187,10 +286,87 @@ class Figures(ProgramTest):
         expected = numpy.average(numpy.log(bars[:, 0]), weights=bars[:, 1])
         self.assertAlmostEqual(expected, logs.clip(-9, 4).mean(), delta=0.13)
 
+    def test_insets_are_drawn_where_the_runs_have_what_they_show(self):
+        self.make_packing("1.h5", 1, "--set", "stop.density=0.5")
+        self.make_packing("2.h5", 1, "--set", "stop.density=0.3", "--set", "cavity.radius=5")
+        low = ("--threshold", "0.01")
+        code, out, err = self.figures("1.h5", "-o", "one", *low)
+        self.assertEqual(code, 0, err)
+        self.assertIn("no inset in phi_max: it takes runs in cavities of two radii\n", out)
+        self.assertNotIn("using 5:6:7", (self.folder / "one/phi_max.gp").read_text())
+        code, out, err = self.figures("1.h5", "2.h5", "-o", "figures", *low)
+        self.assertEqual(code, 0, err)
+        self.assertNotIn("no inset in phi_max", out)
+        self.assertIn("using 5:6:7", (self.folder / "figures/phi_max.gp").read_text())
+        numpy.testing.assert_allclose(self.blocks("phi_max")[0][:, 4], [4, 5])
+        # a straight wire that lies straight has no torsion
+        self.write("short.toml", "[cavity]\nradius = 4\n[stop]\nincrements = 3\n")
+        self.run_program("run", "short.toml", "-o", "short.h5")
+        code, out, err = self.figures("short.h5", "-o", "short")
+        self.assertEqual(code, 0, err)
+        self.assertIn("no inset in energy: the runs have no torsional energy\n", out)
+
+    def test_a_figure_of_an_earlier_call_does_not_stay_behind(self):
+        self.make_packing("1.h5", 1, "--set", "stop.density=0.5")
+        for threshold, there in (("0.01", True), ("1000", False)):
+            code, _, err = self.figures(
+                "1.h5", "-o", "figures", "--force", "--threshold", threshold
+            )
+            self.assertEqual(code, 0, err)
+            self.assertEqual(any((self.folder / "figures").glob("phi_max.*")), there)
+
+    def film(self, environment, *options, expected=0):
+        code, out, err = self.run_program(
+            "figures", "result.h5", "-o", "figures", "--film", *options, env=environment
+        )
+        self.assertEqual(code, expected, err)
+        return out, err
+
+    def pictures(self):
+        return sorted(path.name for path in (self.folder / "figures/film").iterdir())
+
+    def test_a_film_has_all_frames_in_one_range_of_colours_with_density_and_force(self):
+        self.make_result()
+        self.film(self.programs(gnuplot=GNUPLOT, ffmpeg=FFMPEG))
+        with h5py.File(self.folder / "result.h5") as file:
+            frames = [dict(file["frames"][name].attrs) for name in sorted(file["frames"])]
+        names = [f"{k + 1:04}.png" for k in range(len(frames))]
+        self.assertEqual(self.pictures(), names)
+        self.assertEqual((self.folder / "figures/film.mp4").read_text().split(), names)
+        scripts = (self.folder / "scripts").read_text().split("set terminal")[4:]  # of the film
+        self.assertEqual(len(scripts), len(frames))
+        self.assertEqual(len({re.search("set cbrange .*", script)[0] for script in scripts}), 1)
+        for script, frame in zip(scripts, frames):
+            force = frame["force"] * 16 / (5 * numpy.pi / 4)
+            self.assertIn(f"φ = {frame['packing_density']:.3f}, F R²/YI = {force:.2f}'", script)
+        words = (self.folder / "scripts.ffmpeg").read_text()
+        self.assertIn("-i ../film/%04d.png", words)
+        self.assertIn("-c:v libx264 -pix_fmt yuv420p", words)
+
+    def test_a_film_takes_the_place_of_an_earlier_one_and_needs_no_ffmpeg(self):
+        self.make_result()
+        self.film(self.programs(gnuplot=GNUPLOT, ffmpeg=FFMPEG), "--frames", "3")
+        _, err = self.film(self.programs(), expected=2)
+        self.assertIn("--force", err)
+        (self.folder / "bin/ffmpeg").unlink()
+        out, _ = self.film(self.programs(), "--force", "--frames", "2")
+        self.assertIn("no film.mp4: there is no ffmpeg; elsewhere, in figures: ffmpeg ", out)
+        self.assertEqual(self.pictures(), ["0001.png", "0002.png"])
+        self.assertFalse((self.folder / "figures/film.mp4").exists())
+
+    def test_an_ffmpeg_that_fails_is_trouble_with_files_and_leaves_the_pictures(self):
+        self.make_result()
+        for script, code in (("exit 3\n", 3), ("kill -9 $$\n", 137), ("exit 0\n", 0)):
+            environment = self.programs(gnuplot=GNUPLOT, ffmpeg=script)
+            _, err = self.film(environment, "--frames", "1", "--force", expected=5)
+            self.assertIn(f"film.mp4: not made: ffmpeg ended with code {code}; its pictures", err)
+            self.assertEqual(self.pictures(), ["0001.png"])
+            self.assertFalse((self.folder / "figures/film.mp4").exists())
+
     def test_what_is_not_a_result_is_a_file_error_and_leaves_nothing(self):
         self.write("text.h5", "no result")
         for name in ("missing.h5", "text.h5"):
-            code, _, err = self.run_program("figures", name, "-o", "figures")
+            code, _, err = self.figures(name, "-o", "figures")
             self.assertEqual(code, 5)
             self.assertEqual(len(err.strip().splitlines()), 1, err)
             self.assertFalse((self.folder / "figures").exists())

@@ -184,6 +184,52 @@ class Tasks(SweepTest):
             density = file["history/packing_density"][-1]
         self.assertEqual(rows["setup=low_torsion,radius=3,seed=1"][2].text, f"{density:.4f}")
 
+    def test_pictures_of_the_page_lead_to_pages_as_of_view_made_once_for_each_result(self):
+        self.write(
+            "plan.toml",
+            "[stop]\nincrements = 4\n[sweep.cases.ball]\ncavity.radius = 3\n"
+            "[sweep.cases.egg]\ncavity.shape = 'ellipsoid'\ncavity.semi_axes = [3, 3, 4]\n",
+        )
+        self.sweep(0)
+        page = lambda name: self.folder / f"out/case={name}/view.html"
+        result = lambda name: self.folder / f"out/case={name}/run.h5"
+
+        def links():
+            code, _, err = self.run_program("sweep", "--status", "out", "--page")
+            self.assertEqual(code, 0, err)
+            text = (self.folder / "out/status.html").read_text()[15:]
+            found = xml.etree.ElementTree.fromstring(text).iter("a")
+            return sorted(link.get("href") for link in found if len(link.findall("svg")) == 1)
+
+        self.assertEqual(links(), ["./case=ball/view.html", "./case=egg/view.html"])
+        code, _, err = self.run_program("view", result("ball"), "-o", "view.html")
+        self.assertEqual(code, 0, err)
+        self.assertEqual((self.folder / "view.html").read_bytes(), page("ball").read_bytes())
+        # what is newer than its result stays
+        page("ball").write_text("mine")
+        page("egg").write_text("old")
+        os.utime(page("egg"), ns=(0, 0))
+        links()
+        self.assertEqual(page("ball").read_text(), "mine")
+        self.assertGreater(page("egg").stat().st_size, 10000)
+        # a page that cannot be made is no hindrance, and said
+        page("egg").unlink()
+        page("egg").mkdir()
+        self.assertEqual(links(), ["./case=ball/view.html"])
+        status = (self.folder / "out/status.html").read_text()
+        self.assertIn("no page: out/case=egg/view.html: is a folder", status)
+
+    def test_help_shows_the_names_that_an_option_takes_and_others_are_refused(self):
+        code, out, _ = self.run_program("sweep", "--help")
+        self.assertEqual(code, 0)
+        self.assertIn("\n  --executor local|slurm|parallel\n", out)
+        self.assertIn("\n  --emit slurm|parallel|snakemake|hyperqueue\n", out)
+        for option, word in (("--executor", "0"), ("--executor", "Slurm"), ("--emit", "1")):
+            code, _, err = self.run_program("sweep", "plan.toml", "-o", "out", option, word)
+            self.assertEqual(code, 2)
+            self.assertRegex(err, f"{option}: must be [a-z|]*parallel[a-z|]*, not {word}")
+        self.assertEqual(self.names(), ["plan.toml"])
+
     def test_another_configuration_under_the_same_names_is_refused(self):
         self.sweep(0)
         before = sorted(self.folder.glob("out/**/*"))

@@ -21,10 +21,20 @@ std::string comparison_json(const Comparison& comparison);
 /// What write_comparison() puts in its folder.
 std::vector<std::string> comparison_files();
 
+/// The page of a run, to which a comparison leads.
+struct RunPage {
+  std::string label, file;  ///< `file` lies in the folder of the comparison
+};
+
+/// What a comparison's page says beside its numbers.
+struct ComparisonText {
+  std::string title, config;
+  std::vector<RunPage> pages;
+};
+
 /// Draws every quantity against the density (NAME.png, .pdf, .svg, .dat, .gp) and writes
 /// comparison.json and comparison.html, one page that needs no other file. Throws FileError.
-void write_comparison(const std::filesystem::path& folder, const std::string& title,
-                      const std::string& config, const std::vector<ComparedRun>& runs,
-                      const Comparison& comparison);
+void write_comparison(const std::filesystem::path& folder, const ComparisonText& text,
+                      const std::vector<ComparedRun>& runs, const Comparison& comparison);
 
 }  // namespace wirepack

@@ -29,32 +29,31 @@ struct FigureRun {
 /// whole.
 std::vector<std::string> figure_files(const std::vector<std::string>& names);
 
-/// packing: the wire of a frame as a tube in the outline of its cavity, coloured by bending energy
-/// per length over YI / (2 R^2).
-void draw_packing(const std::filesystem::path& folder, const Scenario& scenario,
-                  const PackingFrame& frame);
-
-/// section: where the plane y = 0 cuts the wire of a frame, in the same colours.
-void draw_section(const std::filesystem::path& folder, const Scenario& scenario,
-                  const PackingFrame& frame);
+/// packing: the wire of a run's frame from outside, in the outline of its cavity, and cut open at
+/// y = 0, coloured by bending energy per length over YI / (2 R^2). Runs of both setups, the first
+/// of each, are drawn side by side, in colours of one range.
+void draw_packing(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// force: F R^2 / YI against the packing density, with the inverse-spool model; log axis. Here and
 /// below runs that differ in their seeds alone are one curve: their mean, in a band of its standard
 /// error.
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
-/// energy: E_bend R / YI and E_twist R / YI against the packing density, with the same model.
-void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+/// energy: E_bend R / YI against the packing density, with the same model, and E_twist R / YI in an
+/// inset. False: without that, as the runs have no torsional energy.
+bool draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// torsion: E_twist R / YI against the packing density; log axis.
 void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// phi_max: the packing density at which F R^2 / YI, as a mean over an edge length, first reaches
 /// `threshold` after the first coil, against a / R; log axes. With power laws fitted to the runs of
-/// either setup, and published numbers (data/published). Draws nothing and returns false where no
-/// run reaches it.
-bool draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
-                  double threshold);
+/// either setup, published numbers (data/published), and the mass of the wire against R in an inset:
+/// M over that of a ball of its radius, phi_max (R/a)^3. Where no run reaches the threshold nothing
+/// is drawn; where one series reaches it at one radius alone, no inset.
+enum class PhiMaxFigure { none, without_inset, whole };
+PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
+                          double threshold);
 
 /// bend_distribution: how the bending energies of the shown frames' joints over their mean are
 /// spread, with the log-normal law of greatest likelihood, and the published one.

@@ -12,4 +12,9 @@ namespace wirepack {
 void write_view_page(const std::filesystem::path& result, const std::filesystem::path& page,
                      std::size_t most_frames);
 
+/// The page of a run to which another page links: written only where it is missing or older than
+/// the result; of so few frames that it takes some megabytes at most. Throws as write_view_page()
+/// does, and InvalidInput where the page can be no file (see output_file).
+void update_view_page(const std::filesystem::path& result, const std::filesystem::path& page);
+
 }  // namespace wirepack

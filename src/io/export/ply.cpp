@@ -1,37 +1,15 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <fmt/format.h>
 
 #include "wirepack/io/export.hpp"
 
 #include "../node_values.hpp"
+#include "../palette.hpp"
 #include "bytes.hpp"
 #include "tube_mesh.hpp"
 
 namespace wirepack {
 
 namespace {
-
-// The palette of the packing figure, at a share of the range of colours.
-std::array<std::uint8_t, 3> colour_of(double share) {
-  struct Stop {
-    double share, red, green, blue;
-  };
-  constexpr std::array<Stop, 4> stops{{{0, 0x2B, 0x5C, 0x8A},
-                                       {0.35, 0x6F, 0xB1, 0xC8},
-                                       {0.6, 0xF2, 0xE2, 0xB0},
-                                       {1, 0xB5, 0x34, 0x2C}}};
-  share = std::clamp(share, 0.0, 1.0);
-  std::size_t k = 0;
-  while (k + 2 < stops.size() && share > stops[k + 1].share) ++k;
-  const double part = (share - stops[k].share) / (stops[k + 1].share - stops[k].share);
-  const auto mixed = [&](double Stop::*channel) {
-    const double from = stops[k].*channel, to = stops[k + 1].*channel;
-    return static_cast<std::uint8_t>(std::lround(from + part * (to - from)));
-  };
-  return {mixed(&Stop::red), mixed(&Stop::green), mixed(&Stop::blue)};
-}
 
 std::string header(const ExportSource& source, const TubeMesh& mesh, double top) {
   std::string text = "ply\nformat binary_little_endian 1.0\n";
@@ -54,7 +32,8 @@ ExportedFiles export_ply(const ExportSource& source) {
   std::string bytes = header(source, mesh, top);
   for (Index i = 0; i < mesh.points.cols(); ++i) {
     for (const double x : mesh.points.col(i)) append_bytes(bytes, static_cast<float>(x));
-    for (const std::uint8_t c : colour_of(mesh.scaled_bend_energy[i] / top)) append_bytes(bytes, c);
+    const Colour colour = palette_colour(mesh.scaled_bend_energy[i] / top);
+    for (const std::uint8_t c : {colour.red, colour.green, colour.blue}) append_bytes(bytes, c);
     append_bytes(bytes, static_cast<float>(mesh.scaled_bend_energy[i]));
   }
   for (const auto& triangle : mesh.triangles) {
