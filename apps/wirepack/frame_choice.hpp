@@ -12,8 +12,8 @@ namespace wirepack {
 std::int64_t frame_at_density(const Hdf5Reader& reader, const std::string& name,
                               const std::vector<HistoryRow>& history, double density);
 
-/// The frame of this increment. Throws InvalidInput, with the increments of the frames, when the run
-/// has none.
+/// The frame of this increment. Throws InvalidInput, with those of the frames, when there is
+/// none.
 std::int64_t frame_of_increment(const Hdf5Reader& reader, const std::string& name,
                                 std::int64_t increment);
 

@@ -16,6 +16,7 @@ std::vector<std::string> figure_files(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     for (const char* ending : {".dat", ".gp", ".png", ".pdf", ".svg"})
       files.push_back(name + ending);
+    if (name == "packing") files.emplace_back("packing.ppm");
   }
   return files;
 }

@@ -28,7 +28,8 @@ constexpr std::string_view head =
 body{font:15px sans-serif;max-width:80em;margin:2em auto;padding:0 1em}
 table{border-collapse:collapse}
 td,th{padding:.3em .8em;border-bottom:1px solid #ddd;text-align:right;vertical-align:middle}
-td:first-child,th:first-child,td:last-child{text-align:left}svg{display:block}a{display:inline-block;text-align:center;font-size:small}
+td:first-child,th:first-child,td:last-child{text-align:left}svg{display:block}
+a{display:inline-block;text-align:center;font-size:small}
 svg *{fill:none;stroke:#1f77b4;stroke-width:1}svg .edge{stroke:#aaa}
 .done{color:#1a7f37}.failed{color:#c00}.running{color:#1f77b4}</style></head><body>
 )HTML";

@@ -19,19 +19,20 @@ struct Capsule {
 
 /// What a line of sight meets.
 struct Seen {
-  double height = nowhere;  ///< towards the viewer
-  Vec3 normal = Vec3::UnitZ();
-  double share = 0;       ///< of the piece's length
-  double from_axis = -1;  ///< of a point of a cut face, else negative
+  double height = nowhere;      ///< towards the viewer
+  Vec3 normal = Vec3::UnitZ();  ///< of the surface, or of the one that goes through a face's point
+  double share = 0;             ///< of the piece's length
+  double from_axis = -1;        ///< of a point of a cut face, else negative
   Index piece = 0;
   bool is_face() const { return from_axis >= 0; }
 };
 
 std::optional<Seen> cut_face(const Capsule& c, const Vec3& point) {
   const double along = std::clamp((point - c.start).dot(c.axis), 0.0, c.length);
-  const double distance = (point - c.start - along * c.axis).norm();
+  const Vec3 from_axis = point - c.start - along * c.axis;
+  const double distance = from_axis.norm();
   if (distance > c.radius) return std::nullopt;
-  return Seen{point.z(), Vec3::UnitZ(), along / c.length, distance, 0};
+  return Seen{point.z(), from_axis / std::max(distance, 1e-12), along / c.length, distance, 0};
 }
 
 // The surface that is nearest to the viewer: that of the cylinder, or of the spheres at its ends.
@@ -202,8 +203,10 @@ class Painter {
         palette_colour(mixed(seen, line_.colour[seen.piece], line_.colour[seen.piece + 1]));
     const Channels own(flat.red, flat.green, flat.blue);
     if (seen.is_face()) {
-      const bool at_border = seen.from_axis > radius_ * (1 - border / pixels_per_radius_);
-      return at_border ? Channels::Constant(dark) : own;
+      // as wide where the cut meets the surface at a small angle
+      const double steep = std::sqrt(std::max(0.0, 1 - seen.normal.z() * seen.normal.z()));
+      const double to_surface = (1 - seen.from_axis / radius_) * pixels_per_radius_;
+      return to_surface < border * steep ? Channels::Constant(dark) : own;
     }
     Channels lit = Channels::Constant(dark);
     if (!hangs_over(column, row, border)) lit = (own * light(column, row, seen)).min(255);

@@ -48,9 +48,9 @@ void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureR
 
 /// phi_max: the packing density at which F R^2 / YI, as a mean over an edge length, first reaches
 /// `threshold` after the first coil, against a / R; log axes. With power laws fitted to the runs of
-/// either setup, published numbers (data/published), and the mass of the wire against R in an inset:
-/// M over that of a ball of its radius, phi_max (R/a)^3. Where no run reaches the threshold nothing
-/// is drawn; where one series reaches it at one radius alone, no inset.
+/// either setup, published numbers (data/published), and the mass of the wire against R in an
+/// inset: over that of a ball of its radius it is phi_max (R/a)^3. Where no run reaches the
+/// threshold nothing is drawn, where no series reaches it at two radii no inset.
 enum class PhiMaxFigure { none, without_inset, whole };
 PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
                           double threshold);
