@@ -134,6 +134,7 @@ class Packer(wirepack.Run):
         for warning in self._configuration.warnings:
             warnings.warn(warning, stacklevel=2)
         self._run("Packer()", {}, 0, "go_on" if resume else "replace" if replace else "refuse")
+        self.path = self.path.absolute()
         self.reload()
 
     def advance(self, increments=None, density=None, length=None, force=None, scaled_force=None):
@@ -151,6 +152,7 @@ class Packer(wirepack.Run):
             if operator.index(increments) < 1:
                 raise ValueError(f"increments = {increments}: must be 1 or more")
             call.insert(0, f"increments={increments}")
+        os.stat(self.path)  # a result that has vanished must not be begun anew
         try:
             reached = self._run(f"advance({', '.join(call)})", limits, increments, "go_on")
         finally:
