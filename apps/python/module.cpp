@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 #include <system_error>
+#include <utility>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/plain_text.hpp"
@@ -19,7 +20,7 @@ void set_error(PyObject* type, const std::exception& error) {
 // What ends the program with exit code 2 or 5, with the same message.
 void translate(std::exception_ptr thrown) {
   try {
-    if (thrown) std::rethrow_exception(thrown);
+    if (thrown) std::rethrow_exception(std::move(thrown));
   } catch (const InvalidInput& error) {
     set_error(PyExc_ValueError, error);
   } catch (const FileError& error) {

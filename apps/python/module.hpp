@@ -32,7 +32,7 @@ class Threads {
 /// while others of Python go on.
 struct Computing {
   Threads one{1};
-  py::gil_scoped_release others;
+  py::gil_scoped_release others{};
 };
 
 void add_packing(py::module_& module);

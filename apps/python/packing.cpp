@@ -80,7 +80,6 @@ std::tuple<std::optional<std::string>, Texts, Texts> run(
 
 // The wire where a result has come to, in the units of the scenario.
 PackingFrame frame_now(const Configuration& config, const Path& file) {
-  const Computing computing;
   return PackingRun(config.scenario, Hdf5Reader(file).progress()).take_frame();
 }
 
@@ -94,7 +93,10 @@ Quaternions quaternions(const RodState& rod) {
 }
 
 py::dict frame_values(const Configuration& config, const Path& file) {
-  const PackingFrame frame = frame_now(config, file);
+  const PackingFrame frame = [&] {
+    const Computing computing;
+    return frame_now(config, file);
+  }();
   const auto count = static_cast<Index>(frame.contacts.size());
   Eigen::Matrix<std::int64_t, Eigen::Dynamic, 2> pairs(count, 2);
   Eigen::VectorXd forces(count);
@@ -207,7 +209,7 @@ void add_packing(py::module_& module) {
   module.def("_run", run);
   module.def("_frame", frame_values);
   module.def("_energies_at", energies_at, py::call_guard<Computing>());
-  module.def("_energies_now", energies_now);
+  module.def("_energies_now", energies_now, py::call_guard<Computing>());
 }
 
 }  // namespace wirepack

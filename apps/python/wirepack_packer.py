@@ -134,15 +134,17 @@ class Packer(wirepack.Run):
         for warning in self._configuration.warnings:
             warnings.warn(warning, stacklevel=2)
         self._run("Packer()", {}, 0, "go_on" if resume else "replace" if replace else "refuse")
+        self.path = self.path.absolute()
         self.reload()
 
     def advance(self, increments=None, density=None, length=None, force=None, scaled_force=None):
         """Goes on until the first of these limits, and by at most so many increments.
 
-        Limits are those of [stop] in a configuration, and take their place; without any, the
-        configuration's hold. Returns the name of the limit that was reached, None after
-        `increments`. The increment that reaches a limit may be cut short: what goes on from there
-        repeats it as a whole. Ctrl-C stops between two increments, with all of them kept.
+        Limits are those of [stop] in a configuration, and take their place: length [length], force
+        over Y a^2, scaled_force over YI/R^2. Without any, the configuration's hold. Returns the
+        name of the limit that was reached, None after `increments`. The increment that reaches a
+        limit may be cut short: what goes on from there repeats it as a whole. Ctrl-C stops between
+        two increments, with all of them kept.
         """
         limits = dict(density=density, length=length, force=force, scaled_force=scaled_force)
         limits = {name: float(value) for name, value in limits.items() if value is not None}
@@ -151,6 +153,7 @@ class Packer(wirepack.Run):
             if operator.index(increments) < 1:
                 raise ValueError(f"increments = {increments}: must be 1 or more")
             call.insert(0, f"increments={increments}")
+        os.stat(self.path)  # a result that has vanished must not be begun anew
         try:
             reached = self._run(f"advance({', '.join(call)})", limits, increments, "go_on")
         finally:

@@ -98,12 +98,19 @@ class Packing(PackerTest):
         self.run_it("copy.h5", "--set", "stop.increments=30", "--resume")
         again = wirepack.Packer("run.toml", {"stop.increments": 30}, output="kept.h5", resume=True)
         self.assertEqual(len(again.history.force), 11)
+        os.mkdir("elsewhere")
+        os.chdir("elsewhere")
         again.advance()
+        os.chdir("..")
         for name in ("copy.h5", "kept.h5"):
             self.assertEqual(differing(whole, self.folder / name), [])
         self.assertEqual(again.advance(), "increments")  # is over
         anew = wirepack.Packer("run.toml", output="kept.h5", replace=True)
         self.assertEqual(len(anew.history.force), 0)
+        os.remove("kept.h5")
+        with self.assertRaisesRegex(FileNotFoundError, "kept.h5"):
+            anew.advance(increments=1)
+        self.assertNotIn("kept.h5", self.names())
 
     def test_the_frame_now_is_what_a_limit_saves(self):
         self.assertEqual(len(wirepack.Packer("run.toml").frame()), 3)

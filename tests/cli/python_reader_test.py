@@ -2,6 +2,7 @@
 
 import os
 import signal
+import subprocess
 import sys
 import time
 import unittest
@@ -141,6 +142,13 @@ class PythonReader(ProgramTest):
         for name in ("other.h5", "text.h5", "cut.h5"):
             with self.assertRaisesRegex(wirepack.ResultError, name):
                 wirepack.Run(self.folder / name)
+
+    def test_what_packs_is_missing_alone_where_it_is_not_compiled(self):
+        environment = os.environ | {"PYTHONPATH": os.environ["WIREPACK_READER"]}
+        code = "import wirepack; wirepack.Run; wirepack.Packer"
+        done = subprocess.run([sys.executable, "-c", code], env=environment, text=True,
+                              stderr=subprocess.PIPE)
+        self.assertIn("AttributeError: no Packer without the compiled module: ", done.stderr)
 
     def test_the_module_has_at_most_250_lines(self):
         with open(wirepack.__file__, encoding="utf-8") as module:
