@@ -1,5 +1,6 @@
 #include "curve_layout.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 
 namespace wirepack {
@@ -22,6 +23,12 @@ std::string margins(double left_share, double right_share, double bottom_share, 
 }
 
 }  // namespace
+
+double tic_step(double range, int most) {
+  const double power = std::pow(10.0, std::floor(std::log10(range / most)));
+  const double part = range / most / power;
+  return power * (part > 5 ? 10 : part > 2 ? 5 : part > 1 ? 2 : 1);
+}
 
 CurveLayout::CurveLayout(std::size_t key_lines)
     : canvas_{1200,

@@ -7,6 +7,9 @@
 
 namespace wirepack {
 
+// 1, 2 or 5 times a power of ten, of which a range has so many or fewer: a distance of tics.
+double tic_step(double range, int most);
+
 // A graph of fixed size above a key of so many lines: no key is too long for its graph.
 class CurveLayout {
  public:

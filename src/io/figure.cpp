@@ -32,11 +32,9 @@ void draw_fit(const std::filesystem::path& folder, const MeasuredPoints& points,
   for (Index i = 0; i < fit.curve.cols(); ++i) {
     data += fmt::format("{} {} {}\n", fit.curve(0, i), fit.curve(1, i), fit.curve(2, i));
   }
-  // a fifth of the extent or so, as 1, 2 or 5 times a power of ten: tics of all axes
+  // the same tics on all axes
   const Vec3 extent = points.position.rowwise().maxCoeff() - points.position.rowwise().minCoeff();
-  const double power = std::pow(10.0, std::floor(std::log10(extent.maxCoeff() / 5)));
-  const double part = extent.maxCoeff() / 5 / power;
-  const double step = power * (part > 5 ? 10 : part > 2 ? 5 : part > 1 ? 2 : 1);
+  const double step = tic_step(extent.maxCoeff(), 5);
   // thousands of points would hide the curve
   const Index every = std::max<Index>(1, points.count() / 1000);
   const std::string commands = fmt::format(

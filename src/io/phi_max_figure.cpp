@@ -106,7 +106,7 @@ std::string fitted_law(const ReadingSeries& series, std::size_t colour) {
 }
 
 constexpr const char* axes =
-    "set logscale xy\nset xrange [0.015:0.4]\nset yrange [0.03:1]\n"
+    "set logscale xy\nset xrange [0.015:0.4]\n"
     "set xtics (0.02, 0.05, 0.1, 0.2)\nset ytics (0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1)\n"
     "set object 1 rectangle from graph 0, first coils_lowest to graph 1, first coils_highest "
     "behind fs solid 0.5 noborder fc rgb '#e8e8e8'\n"
@@ -169,8 +169,9 @@ PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector
       std::string(published_numbers) + "set multiplot\n" + layout.graph() +
       fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
                   threshold) +
-      axes + "plot " + points + published_curves + laws + "\n" +
-      (whole ? mass_inset(layout, series.size()) : "") + "unset multiplot\nreset\n";
+      axes + (whole ? "set yrange [0.03:1]\n" : "set yrange [0.1:1]\n") + "plot " + points +
+      published_curves + laws + "\n" + (whole ? mass_inset(layout, series.size()) : "") +
+      "unset multiplot\nreset\n";
   draw_with_gnuplot(folder, {"phi_max", data, commands, layout.canvas(), {}});
   return whole ? PhiMaxFigure::whole : PhiMaxFigure::without_inset;
 }

@@ -196,7 +196,11 @@ bool draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
   // below the inset there is room for the curves
   const double beside = largest(groups, &CurvePoint::bend, box.right * last_density(groups));
   const double range = std::max(1.35 * top, twisted ? beside / (0.95 * box.bottom) : 0);
-  const std::string torsion = twisted ? layout.inset(box) + torsion_curves(groups, "energy") : "";
+  const std::string torsion =
+      twisted
+          ? layout.inset(box) + fmt::format("set xtics {}\n", tic_step(last_density(groups), 4)) +
+                torsion_curves(groups, "energy")
+          : "";
   draw_with_gnuplot(
       folder, {"energy",
                curves(groups),
