@@ -108,6 +108,12 @@ class Figures(ProgramTest):
         self.assertAlmostEqual(
             seen[:, size:].sum() * pixel, 2 * 2.5 * 2 + numpy.pi, delta=0.01 * (10 + numpy.pi)
         )
+        script = (self.folder / "figures/packing.gp").read_text()
+        block = script.split("$cavity << EOD\n")[1].split("EOD")[0]
+        views = [numpy.loadtxt(part.splitlines()) for part in block.strip().split("\n\n")]
+        for view, outline in enumerate(views):  # a circle in each view, of half widths of it
+            radius = numpy.hypot(outline[:, 0] - 2 * view, outline[:, 1])
+            numpy.testing.assert_allclose(radius, 4 / half, atol=2e-4)
         # from outside, 25 degrees above the plane of the ring: the silhouette of a torus
         angle = numpy.linspace(0, 2 * numpy.pi, 2000)
         height = numpy.sin(numpy.radians(25))
