@@ -10,6 +10,7 @@ namespace wirepack {
 std::optional<int> run_child_program(const std::filesystem::path& folder,
                                      std::vector<std::string> words) {
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   posix_spawn_file_actions_t actions;

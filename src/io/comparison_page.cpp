@@ -158,8 +158,8 @@ std::string links(const std::vector<RunPage>& pages) {
   if (pages.empty()) return "";
   std::string text;
   for (const RunPage& page : pages) {
-    text += fmt::format("{}<a href=\"{}\">{}</a>", text.empty() ? "" : ", ",
-                        relative_link(page.file), xml_escaped(page.label));
+    text += fmt::format("{}<a href=\"./{}\">{}</a>", text.empty() ? "" : ", ",
+                        xml_escaped(page.file), xml_escaped(page.label));
   }
   return "<p>The runs to look at: " + text + "</p>\n";
 }

@@ -112,8 +112,7 @@ double top_of_colours(const Scenario& scenario, const PackingFrame& frame) {
 Drawing packing_drawing(const std::vector<ShownPacking>& shown, double top, int width) {
   const int rows = shown.size() == 1 ? 1 : 2, top_margin = 60, bottom_margin = 140;
   const Canvas canvas{columns * width, rows * width + top_margin + bottom_margin};
-  Picture picture{columns * width, rows * width, {}};
-  picture.pixels.resize(static_cast<std::size_t>(picture.width * picture.height));
+  Picture picture = blank_picture(columns * width, rows * width);
   std::string lines, labels;
   for (std::size_t k = 0; k < shown.size(); ++k) {
     const Scenario& scenario = *shown[k].scenario;

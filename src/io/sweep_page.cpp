@@ -89,7 +89,7 @@ std::string linked(const std::string& drawing, const std::filesystem::path& fold
   } catch (const std::runtime_error& error) {  // of files, or a folder in the place of the page
     return drawing + "no page: " + xml_escaped(error.what());
   }
-  return fmt::format("<a href=\"{}\" aria-label=\"{}, page\">{}page</a>", relative_link(page),
+  return fmt::format("<a href=\"./{}\" aria-label=\"{}, page\">{}page</a>", xml_escaped(page),
                      xml_escaped(task), drawing);
 }
 

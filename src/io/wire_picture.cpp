@@ -11,6 +11,12 @@ namespace {
 
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
+// Of a pixel in a list row by row.
+std::size_t place_of(int column, int row, int width) {
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+         static_cast<std::size_t>(column);
+}
+
 /// A piece of wire, in axes of the picture: right, up, towards the viewer.
 struct Capsule {
   Vec3 start, axis;
@@ -78,7 +84,7 @@ std::vector<Index> from_the_front(const Points& points) {
 class Sights {
  public:
   Sights(const SmoothLine& line, double radius, const Camera& camera, int width)
-      : camera_(camera), width_(width), met_(static_cast<std::size_t>(width * width)) {
+      : camera_(camera), width_(width), met_(place_of(0, width, width)) {
     for (Index k = 0; k + 1 < line.points.cols(); ++k) {
       const Vec3 step = line.points.col(k + 1) - line.points.col(k);
       capsules_.push_back({line.points.col(k), step.normalized(), step.norm(), radius});
@@ -105,8 +111,8 @@ class Sights {
   };
 
   const Met& met(int column, int row) const {
-    return met_[static_cast<std::size_t>(std::clamp(row, 0, width_ - 1) * width_ +
-                                         std::clamp(column, 0, width_ - 1))];
+    return met_[place_of(std::clamp(column, 0, width_ - 1), std::clamp(row, 0, width_ - 1),
+                         width_)];
   }
   void meet(Index piece) {
     const Capsule& c = capsules_[static_cast<std::size_t>(piece)];
@@ -117,7 +123,7 @@ class Sights {
     if (top < low.z()) return;
     for (int row = pixel(-high.y()); row <= pixel(-low.y()); ++row) {
       for (int column = pixel(low.x()); column <= pixel(high.x()); ++column) {
-        Met& before = met_[static_cast<std::size_t>(row * width_ + column)];
+        Met& before = met_[place_of(column, row, width_)];
         if (before.height > top) continue;
         const Seen seen = nearest(c, column, row);
         const Met now{static_cast<float>(seen.height), static_cast<float>(seen.from_axis),
@@ -138,7 +144,7 @@ class Sights {
   // A capsule is convex: what its front has lost to the cut shows a face, or nothing of it is left.
   Seen nearest(const Capsule& c, int column, int row) const {
     const double x = place(column), y = -place(row);
-    const Seen front = surface(c, x, y);
+    Seen front = surface(c, x, y);
     if (!camera_.cut || front.height <= *camera_.cut) return front;
     return cut_face(c, {x, y, *camera_.cut}).value_or(Seen{});
   }
@@ -153,7 +159,7 @@ class Sights {
 class MeanHeights {
  public:
   MeanHeights(const Sights& sights, double of_nothing)
-      : stride_(sights.width() + 1), sums_(static_cast<std::size_t>(stride_ * stride_)) {
+      : stride_(sights.width() + 1), sums_(place_of(0, stride_, stride_)) {
     for (int row = 0; row < sights.width(); ++row) {
       for (int column = 0; column < sights.width(); ++column) {
         const double height = std::max(of_nothing, sights.height(column, row));
@@ -170,9 +176,7 @@ class MeanHeights {
   }
 
  private:
-  double& sum(int column, int row) {
-    return sums_[static_cast<std::size_t>(row * stride_ + column)];
-  }
+  double& sum(int column, int row) { return sums_[place_of(column, row, stride_)]; }
   int stride_;
   std::vector<double> sums_;
 };
@@ -269,7 +273,7 @@ Picture wire_picture(const SmoothLine& line, double radius, const Camera& camera
   const Sights sights(turned, radius, camera, finer * width);
   Painter painter(sights, camera, turned, radius);
   Picture picture{width, width, {}};
-  picture.pixels.reserve(static_cast<std::size_t>(width * width));
+  picture.pixels.reserve(place_of(0, width, width));
   for (int row = 0; row < width; ++row) {
     for (int column = 0; column < width; ++column) {
       Channels sum = Channels::Zero();
@@ -280,6 +284,10 @@ Picture wire_picture(const SmoothLine& line, double radius, const Camera& camera
     }
   }
   return picture;
+}
+
+Picture blank_picture(int width, int height) {
+  return {width, height, std::vector<Colour>(place_of(0, height, width))};
 }
 
 void put(Picture& picture, const Picture& part, int left, int top) {

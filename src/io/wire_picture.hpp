@@ -30,6 +30,9 @@ struct Picture {
 /// other strands is dark, what lies far behind is pale.
 Picture wire_picture(const SmoothLine& line, double radius, const Camera& camera, int width);
 
+/// A white one.
+Picture blank_picture(int width, int height);
+
 /// Puts a part into a picture that has room for it.
 void put(Picture& picture, const Picture& part, int left, int top);
 

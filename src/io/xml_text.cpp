@@ -1,7 +1,5 @@
 #include "xml_text.hpp"
 
-#include <fmt/format.h>
-
 #include "wirepack/core/plain_text.hpp"
 
 namespace wirepack {
@@ -31,17 +29,6 @@ std::string xml_comment(std::string_view text) {
     result += c;
   }
   return result + " -->\n";
-}
-
-std::string relative_link(std::string_view path) {
-  constexpr std::string_view kept = "-._~/=,";
-  std::string link = "./";  // else a colon would end the name of a protocol
-  for (const char c : path) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       kept.find(c) != std::string_view::npos;
-    link += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return link;
 }
 
 }  // namespace wirepack

@@ -9,9 +9,6 @@ namespace wirepack {
 /// which XML cannot hold, become blanks.
 std::string xml_escaped(std::string_view text);
 
-/// A name of a file as a link from a page in its folder; fit for an attribute.
-std::string relative_link(std::string_view path);
-
 /// Text as it stands in a comment of XML, where two hyphens must not meet.
 std::string xml_comment(std::string_view text);
 

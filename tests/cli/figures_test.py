@@ -33,8 +33,8 @@ class Figures(ProgramTest):
         """Only the data and scripts of figures, which takes a tenth of the time."""
         return self.run_program("figures", *arguments, env=self.programs(gnuplot=GNUPLOT))
 
-    def make_result(self, name="result.h5"):
-        self.write("scenario.toml", SMALL_RUN)
+    def make_result(self, name="result.h5", increments=60):
+        self.write("scenario.toml", SMALL_RUN.replace("60", str(increments)))
         code, _, err = self.run_program("run", "scenario.toml", "-o", name)
         self.assertEqual(code, 0, err)
 
@@ -108,6 +108,12 @@ class Figures(ProgramTest):
         self.assertAlmostEqual(
             seen[:, size:].sum() * pixel, 2 * 2.5 * 2 + numpy.pi, delta=0.01 * (10 + numpy.pi)
         )
+        script = (self.folder / "figures/packing.gp").read_text()
+        block = script.split("$cavity << EOD\n")[1].split("EOD")[0]
+        views = [numpy.loadtxt(part.splitlines()) for part in block.strip().split("\n\n")]
+        for view, outline in enumerate(views):  # a circle in each view, of half widths of it
+            radius = numpy.hypot(outline[:, 0] - 2 * view, outline[:, 1])
+            numpy.testing.assert_allclose(radius, 4 / half, atol=2e-4)
         # from outside, 25 degrees above the plane of the ring: the silhouette of a torus
         angle = numpy.linspace(0, 2 * numpy.pi, 2000)
         height = numpy.sin(numpy.radians(25))
@@ -326,7 +332,7 @@ class Figures(ProgramTest):
         return sorted(path.name for path in (self.folder / "figures/film").iterdir())
 
     def test_a_film_has_all_frames_in_one_range_of_colours_with_density_and_force(self):
-        self.make_result()
+        self.make_result(increments=24)
         self.film(self.programs(gnuplot=GNUPLOT, ffmpeg=FFMPEG))
         with h5py.File(self.folder / "result.h5") as file:
             frames = [dict(file["frames"][name].attrs) for name in sorted(file["frames"])]
@@ -344,7 +350,7 @@ class Figures(ProgramTest):
         self.assertIn("-c:v libx264 -pix_fmt yuv420p", words)
 
     def test_a_film_takes_the_place_of_an_earlier_one_and_needs_no_ffmpeg(self):
-        self.make_result()
+        self.make_result(increments=24)
         self.film(self.programs(gnuplot=GNUPLOT, ffmpeg=FFMPEG), "--frames", "3")
         _, err = self.film(self.programs(), expected=2)
         self.assertIn("--force", err)
@@ -355,8 +361,8 @@ class Figures(ProgramTest):
         self.assertFalse((self.folder / "figures/film.mp4").exists())
 
     def test_an_ffmpeg_that_fails_is_trouble_with_files_and_leaves_the_pictures(self):
-        self.make_result()
-        for script, code in (("exit 3\n", 3), ("kill -9 $$\n", 137), ("exit 0\n", 0)):
+        self.make_result(increments=24)
+        for script, code in (("exit 3\n", 3), ("kill -9 $$\n", 137)):
             environment = self.programs(gnuplot=GNUPLOT, ffmpeg=script)
             _, err = self.film(environment, "--frames", "1", "--force", expected=5)
             self.assertIn(f"film.mp4: not made: ffmpeg ended with code {code}; its pictures", err)
