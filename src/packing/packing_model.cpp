@@ -60,7 +60,8 @@ EquilibriumOptions options_of(const Scenario& scenario) {
   return options;
 }
 
-// Holds what the nozzle holds, and all frames if they drop out of the minimization.
+}  // namespace
+
 HeldUnknowns held_unknowns(const PackingModel& model, const RodState& rod) {
   HeldUnknowns held = held_by(model.nozzle, rod);
   if (torsion_free(model.scenario, model.wire)) {
@@ -69,8 +70,6 @@ HeldUnknowns held_unknowns(const PackingModel& model, const RodState& rod) {
   }
   return held;
 }
-
-}  // namespace
 
 PackingModel::PackingModel(const Scenario& configured, const EnergyTerms& extra)
     : scenario(valid(configured)),

@@ -9,9 +9,8 @@ namespace {
 // Length that is inside when the tip of the wire first presses on the wall.
 double length_at_first_contact(const Scenario& scenario) {
   QuasistaticPacking packing(scenario);
-  while (packing.progress().last.contact_count == 0) {
-    if (!packing.advance().row) return NAN;
-    if (packing.progress().last.force > 1e-3 * force_unit(scenario)) break;
+  while (packing.progress().last.force < 1e-3 * force_unit(scenario)) {
+    if (packing.advance().stop) return NAN;
   }
   return packing.progress().last.inserted_length;
 }
@@ -39,7 +38,7 @@ double first_peak(const NozzleOptions& nozzle) {
   scenario.insertion.increment = 0.5;
   QuasistaticPacking packing(scenario);
   double peak = 0;
-  while (packing.progress().last.inserted_length < 50 && packing.advance().row) {
+  while (packing.progress().last.inserted_length < 50 && !packing.advance().stop) {
     peak = std::max(peak, packing.progress().last.force);
   }
   return peak;

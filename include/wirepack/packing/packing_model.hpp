@@ -35,6 +35,10 @@ struct PackingModel {
   bool has_friction() const { return scenario.friction.model != FrictionModel::none; }
 };
 
+/// Holds what the nozzle holds, and all frames if the wire costs no torsion: they drop out of the
+/// minimization then.
+HeldUnknowns held_unknowns(const PackingModel& model, const RodState& rod);
+
 /// Brings the wire to an equilibrium: the energy plus what friction dissipates is minimized.
 EquilibriumReport minimize(PackingModel& model, RodState& rod);
 

@@ -15,7 +15,9 @@ struct CurvatureMode {
 };
 
 /// Lowest eigenvalue of the Hessian against its Gauss-Newton part, H v = lambda P v, by Lanczos's
-/// method. It has no unit: under a load of (1 - e) times the buckling load it is about e.
+/// method. It has no unit: under a load of (1 - e) times the buckling load it is about e. Of no use
+/// where P itself has no stiffness, as for a rod that nothing holds, or that only friction keeps
+/// from turning about its axis.
 CurvatureMode softest_mode(const RodState& state, const HeldUnknowns& held,
                            const EnergyTerms& energy, const EquilibriumOptions& options,
                            SolverWork& work);

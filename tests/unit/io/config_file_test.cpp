@@ -283,7 +283,8 @@ TEST(ConfigFile, an_ellipsoid_has_semi_axes_in_place_of_a_radius) {
 
 TEST(ConfigFile, a_nozzle_may_be_elsewhere_and_point_elsewhere) {
   const std::string text =
-      "[nozzle]\nposition = [0, 8, 0]\ndirection = [0.5, -1, 0]\ndepth = 0.25\n";
+      "[cavity]\nradius = 10\n[nozzle]\nposition = [0, 8, 0]\ndirection = [0.5, -1, 0]\ndepth = "
+      "0.25\n";
   const NozzleOptions nozzle = parsed(text).nozzle;
   EXPECT_EQ(*nozzle.position, Vec3(0, 8, 0));
   EXPECT_EQ(*nozzle.direction, Vec3(0.5, -1, 0));
@@ -292,8 +293,9 @@ TEST(ConfigFile, a_nozzle_may_be_elsewhere_and_point_elsewhere) {
   EXPECT_EQ(*again.position, *nozzle.position);
   EXPECT_EQ(*again.direction, *nozzle.direction);
   EXPECT_EQ(again.depth, nozzle.depth);
-  EXPECT_EQ(resolved_config(parsed("")).find("position"), std::string::npos);
-  EXPECT_NE(message_of("[nozzle]\ndepth = -1\n").find("nozzle.depth = -1"), std::string::npos);
+  EXPECT_EQ(resolved_config(parsed("[cavity]\nradius = 10\n")).find("position"), std::string::npos);
+  EXPECT_NE(message_of("[cavity]\nradius = 10\n[nozzle]\ndepth = -1\n").find("nozzle.depth = -1"),
+            std::string::npos);
 }
 
 TEST(ConfigFile, all_differences_of_a_continuation_are_named_those_of_the_users_keys_first) {
