@@ -33,7 +33,10 @@ void translate(std::exception_ptr thrown) {
 }  // namespace
 
 Threads::Threads(int count) : before_(omp_get_max_threads()) {
-  if (count < 1) throw InvalidInput(fmt::format("threads = {}: must be 1 or more", count));
+  constexpr int most = 4096;
+  if (count < 1 || count > most) {
+    throw InvalidInput(fmt::format("threads = {}: must be from 1 to {}", count, most));
+  }
   use_threads(count);
 }
 

@@ -11,6 +11,7 @@
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/io/recorded_run.hpp"
+#include "wirepack/io/result_lock.hpp"
 #include "wirepack/packing/longest_wire.hpp"
 #include "wirepack/packing/packing_model.hpp"
 #include "wirepack/packing/packing_run.hpp"
@@ -202,6 +203,7 @@ void add_packing(py::module_& module) {
   module.def("_parse", [](const std::string& text, const Texts& config, const Texts& set) {
     return parse_configuration(text, "config", overrides(config, set));
   });
+  py::class_<ResultLock>(module, "_ResultLock").def(py::init<const Path&>());
   module.def("_output_file", [](const Path& file, const std::vector<Path>& inputs, bool force,
                                 const std::string& remedy) {
     return output_file(file, {inputs, force, remedy});

@@ -205,6 +205,7 @@ class Packer(wirepack.Run):
         inputs = [*self._configuration.inputs, self.path]
         target = _wirepack._output_file(path, inputs, replace, "replace=True replaces it")
         partial = target.with_name(f".wirepack-{os.getpid()}.tmp")
+        lock = _wirepack._ResultLock(target)  # OSError where a run writes it
         try:
             shutil.copyfile(self.path, partial)
             os.replace(partial, target)
@@ -212,3 +213,4 @@ class Packer(wirepack.Run):
             raise OSError(error.errno, error.strerror, str(target)) from None
         finally:
             partial.unlink(missing_ok=True)
+            del lock

@@ -11,6 +11,7 @@
 #include "analysis.hpp"
 #include "command.hpp"
 #include "frame_choice.hpp"
+#include "number_range.hpp"
 #include "terminal.hpp"
 
 namespace wirepack {
@@ -101,7 +102,7 @@ Command analyze_command(CLI::App& program) {
       ->type_name("PHI[,PHI]")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_range(0, 1));
   CLI::Option* json =
       app->add_flag("--json", options->json, "All numbers, profiles and contacts, with all digits");
   app->add_flag("--csv", options->csv, "A line of numbers for each frame, with all digits")

@@ -13,6 +13,7 @@
 
 #include "command.hpp"
 #include "frame_choice.hpp"
+#include "number_range.hpp"
 #include "terminal.hpp"
 
 namespace wirepack {
@@ -143,7 +144,7 @@ Command export_command(CLI::App& program) {
           ->type_name("INCREMENT");
   app->add_option("--density", options->density, "Only the frame nearest to this packing density")
       ->type_name("PHI")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_range(0, 1))
       ->excludes(frame);
   app->add_option("--voxel", options->voxel_size,
                   "Edge of a voxel, for mhd; by default a quarter of the wire radius, or R / 128 "

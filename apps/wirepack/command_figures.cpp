@@ -13,6 +13,7 @@
 
 #include "command.hpp"
 #include "frame_choice.hpp"
+#include "number_range.hpp"
 #include "terminal.hpp"
 
 namespace wirepack {
@@ -83,15 +84,18 @@ int draw(const Options& options) {
   const std::filesystem::path folder = options.folder;
   if (options.film) {
     output_folder(folder, {"film.mp4"}, options.rules());
-    output_folder(folder / "film", film_pictures(Hdf5Reader(results.front()), options.film_frames),
+    output_folder(folder / "film",
+                  film_pictures(folder, Hdf5Reader(results.front()), options.film_frames),
                   options.rules());
   }
   draw_packing(folder, runs);
   draw_force(folder, runs);
-  if (!draw_energy(folder, runs)) {
-    print_lines("no inset in energy: the runs have no torsional energy\n");
+  draw_energy(folder, runs);
+  if (!draw_torsion(folder, runs)) {
+    std::erase(names, "torsion");
+    remove_figure(folder, "torsion");
+    print_lines("no torsion, and no inset in energy: the runs have no torsional energy\n");
   }
-  draw_torsion(folder, runs);
   draw_bend_distribution(folder, runs);
   const PhiMaxFigure phi_max = draw_phi_max(folder, runs, options.threshold);
   if (phi_max == PhiMaxFigure::without_inset) {
@@ -123,13 +127,13 @@ Command figures_command(CLI::App& program) {
   CLI::Option* density = app->add_option("--density", options->density,
                                          "Shows the frame nearest to this packing density")
                              ->type_name("PHI")
-                             ->check(CLI::Range(0.0, 1.0));
+                             ->check(number_range(0, 1));
   app->add_option("--frame", options->frame, "Shows the frame of this increment")
       ->type_name("INCREMENT")
       ->excludes(density);
   app->add_option("--threshold", options->threshold, "F R^2 / YI at which phi_max is read")
       ->type_name("FORCE")
-      ->check(CLI::Range(1e-3, 1e6))
+      ->check(number_range(1e-3, 1e6))
       ->capture_default_str();
   CLI::Option* film = app->add_flag(
       "--film", options->film,

@@ -8,7 +8,7 @@ Nozzle nozzle_at_wall(const NozzleOptions& options, const Cavity& cavity, double
     nozzle.position = *options.position;
     nozzle.direction = outward_normal(cavity, nozzle.position);
   }
-  if (options.direction) nozzle.direction = -options.direction->normalized();
+  if (options.direction) nozzle.direction = -options.direction->stableNormalized();
   return nozzle;
 }
 

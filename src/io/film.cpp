@@ -46,10 +46,19 @@ bool is_picture(const fs::path& file) {
          std::all_of(stem.begin(), stem.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+std::vector<std::string> earlier_pictures(const fs::path& folder) {
+  std::vector<std::string> names;
+  if (!fs::is_directory(folder)) return names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (is_picture(entry.path())) names.push_back(entry.path().filename().string());
+  }
+  return names;
+}
+
 void remove_earlier_film(const fs::path& folder) {
   remove_file(folder / "film.mp4");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "film")) {
-    if (is_picture(entry.path())) remove_file(entry.path());
+  for (const std::string& name : earlier_pictures(folder / "film")) {
+    remove_file(folder / "film" / name);
   }
 }
 
@@ -76,8 +85,9 @@ bool make_video(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<std::string> film_pictures(const Hdf5Reader& reader, std::size_t most_frames) {
-  std::vector<std::string> names;
+std::vector<std::string> film_pictures(const fs::path& folder, const Hdf5Reader& reader,
+                                       std::size_t most_frames) {
+  std::vector<std::string> names = earlier_pictures(folder / "film");
   for (std::size_t k = 0; k < std::min(most_frames, reader.frame_increments().size()); ++k) {
     names.push_back(picture_name(k));
   }

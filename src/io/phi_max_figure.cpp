@@ -90,6 +90,18 @@ std::string block(const ReadingSeries& series) {
   return text + "\n\n";
 }
 
+// Where the axis begins: below every point. Under the points there is room for an inset.
+double lowest_axis_density(const std::vector<ReadingSeries>& series, bool with_inset) {
+  double lowest = 0.15;
+  for (const ReadingSeries& one : series) {
+    for (const Reading& reading : one.readings) {
+      lowest =
+          std::min(lowest, *std::min_element(reading.densities.begin(), reading.densities.end()));
+    }
+  }
+  return lowest * (with_inset ? 0.2 : 0.67);
+}
+
 // The fitted law as one more curve; nothing where there are too few readings to fit one.
 std::string fitted_law(const ReadingSeries& series, std::size_t colour) {
   std::vector<double> x, y;
@@ -169,8 +181,8 @@ PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector
       std::string(published_numbers) + "set multiplot\n" + layout.graph() +
       fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
                   threshold) +
-      axes + (whole ? "set yrange [0.03:1]\n" : "set yrange [0.1:1]\n") + "plot " + points +
-      published_curves + laws + "\n" + (whole ? mass_inset(layout, series.size()) : "") +
+      axes + fmt::format("set yrange [{:.3g}:1]\n", lowest_axis_density(series, whole)) + "plot " +
+      points + published_curves + laws + "\n" + (whole ? mass_inset(layout, series.size()) : "") +
       "unset multiplot\nreset\n";
   draw_with_gnuplot(folder, {"phi_max", data, commands, layout.canvas(), {}});
   return whole ? PhiMaxFigure::whole : PhiMaxFigure::without_inset;

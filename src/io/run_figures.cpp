@@ -180,7 +180,17 @@ void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun
        {}});
 }
 
-bool draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+namespace {
+
+// More than the rounding of a wire that is free to turn.
+bool has_torsion(const std::vector<RunGroup>& groups) {
+  const double bending = std::max(1e-3, largest(groups, &CurvePoint::bend));
+  return largest(groups, &CurvePoint::twist) > no_torsion * bending;
+}
+
+}  // namespace
+
+void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   const std::vector<RunGroup> groups = run_groups(runs);
   const double top = std::max(1e-3, largest(groups, &CurvePoint::bend));
   std::string spools;
@@ -192,7 +202,7 @@ bool draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
   }
   const CurveLayout layout(groups.size() + 1);
   const CurveLayout::Box box{0.02, 0.46, 0.5, 1};
-  const bool twisted = largest(groups, &CurvePoint::twist) > no_torsion * top;
+  const bool twisted = has_torsion(groups);
   // below the inset there is room for the curves
   const double beside = largest(groups, &CurvePoint::bend, box.right * last_density(groups));
   const double range = std::max(1.35 * top, twisted ? beside / (0.95 * box.bottom) : 0);
@@ -211,11 +221,11 @@ bool draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
                    "unset multiplot\nreset\n",
                layout.canvas(),
                {}});
-  return twisted;
 }
 
-void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
+bool draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   const std::vector<RunGroup> groups = run_groups(runs);
+  if (!has_torsion(groups)) return false;
   const CurveLayout layout(groups.size());
   draw_with_gnuplot(folder, {"torsion",
                              curves(groups),
@@ -223,6 +233,7 @@ void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureR
                                  torsion_curves(groups, "torsion"),
                              layout.canvas(),
                              {}});
+  return true;
 }
 
 void draw_bend_distribution(const std::filesystem::path& folder,

@@ -75,7 +75,8 @@ toml::table toml_table(std::string_view text, const std::string& source) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    const std::string hint = line_hint(text, error.source().begin.line);
+    const bool again = error.description().find("redefine") != std::string_view::npos;
+    const std::string hint = again ? "" : line_hint(text, error.source().begin.line);
     throw InvalidInput(fmt::format("{}: {}", place(source, error.source()),
                                    hint.empty() ? plain_text(error.description(), 300) : hint));
   }

@@ -11,7 +11,9 @@ namespace wirepack {
 
 namespace {
 
-std::string shown(const Vec3& v) { return fmt::format("[{:g}, {:g}, {:g}]", v.x(), v.y(), v.z()); }
+std::string shown(const Vec3& v) {
+  return fmt::format("[{:.12g}, {:.12g}, {:.12g}]", v.x(), v.y(), v.z());
+}
 
 // The centre of a cavity is on no side of its wall: no normal, and nowhere to go from there.
 std::string problem_of_position(const Scenario& scenario) {
@@ -24,14 +26,15 @@ std::string problem_of_position(const Scenario& scenario) {
     return given + ": needs nozzle.direction, as the wall has no normal there";
   }
   if (at_centre || wall_gap(scenario.cavity, position, a) >= -round_off * a) return {};
-  const Vec3 nearest = touching_point(scenario.cavity, position, a);
+  const Vec3 inside = scenario.cavity.radius / 2 * position.stableNormalized();
+  const Vec3 nearest = touching_point(scenario.cavity, inside, a);
   return fmt::format(
       "{}: must be where the wire fits; towards there from the centre, it touches the wall at {}",
       given, shown(nearest));
 }
 
 std::string problem_of_direction(const Vec3& direction) {
-  if (direction.allFinite() && direction.norm() > 0) return {};
+  if (direction.allFinite() && direction != Vec3::Zero()) return {};
   return "nozzle.direction = " + shown(direction) + ": must be three finite numbers, not all 0";
 }
 
@@ -43,15 +46,16 @@ std::string problem_of_start(const Scenario& scenario) {
   const double tolerance = round_off * a;
   const bool mouth_fits = wall_gap(scenario.cavity, nozzle.position, a) >= -tolerance;
   if (mouth_fits && wall_gap(scenario.cavity, tip, a) >= -tolerance) return {};
+  const std::string tilted =
+      scenario.imperfection.nozzle_tilt > 0 ? ", with the tilt of the seed," : "";
   if (scenario.nozzle.depth > 0) {
     return fmt::format(
-        "nozzle.depth = {:g}: leaves no room for the first two edges, {:g}, in front of it",
-        scenario.nozzle.depth, 2 * l);
+        "nozzle.depth = {:g}:{} leaves no room for the first two edges, {:g}, in front of it",
+        scenario.nozzle.depth, tilted, 2 * l);
   }
-  const bool tilts = scenario.imperfection.nozzle_tilt > 0;
   return fmt::format(
-      "nozzle.direction = {}: {}leads out of the cavity within the first two edges, {:g}",
-      shown(-nozzle.direction), tilts ? "with the seed's tilt " : "", 2 * l);
+      "nozzle.direction = {}:{} leads out of the cavity within the first two edges, {:g}",
+      shown(scenario.nozzle.direction.value_or(-nozzle.direction)), tilted, 2 * l);
 }
 
 }  // namespace

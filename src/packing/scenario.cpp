@@ -47,7 +47,8 @@ constexpr double largest_magnitude = 1e12;
 // What is so far from its unit cannot be meant, and products would leave the range of numbers.
 void check_magnitudes(const Scenario& scenario, std::vector<std::string>& found) {
   for_each_number_with_unit(scenario, [&](std::string_view key, double number, double unit) {
-    if (key == "stop.length") return;  // may be as far as it likes
+    // may be as far as it likes; each of three numbers as small
+    if (key == "stop.length" || key == "nozzle.position") return;
     const double smallest = unit / largest_magnitude, largest = unit * largest_magnitude;
     if (number == 0 || (std::abs(number) >= smallest && std::abs(number) <= largest)) return;
     std::ostringstream text;
@@ -202,7 +203,8 @@ std::vector<std::string> problems(const Scenario& scenario) {
   const double nozzle_reach = scenario.nozzle.position ? scenario.nozzle.position->norm()
                                                        : semi_axes_of(scenario.cavity).minCoeff();
   up_to("imperfection.nozzle_offset", imperfection.nozzle_offset, nozzle_reach / (4 * a),
-        "wire radii");
+        scenario.nozzle.position ? "wire radii, by the nozzle's distance from the centre"
+                                 : "wire radii");
   up_to("imperfection.nozzle_tilt", imperfection.nozzle_tilt, 0.5, "rad");
   require(positive(scenario.output.frame_every_density), "output.frame_every_density",
           scenario.output.frame_every_density, must_be_positive);

@@ -76,6 +76,9 @@ class BadInput(ProgramTest):
             ("[packing]\nsetup = 5", 'must be "low_torsion" or "high_torsion"'),
             ('[packing]\nsetup = "low"', 'must be "low_torsion" or "high_torsion"'),
             ("cavity = 5", "is outside of a section"),
+            ("[cavity]\nradius = 5\nradius = 6", "run.toml:3:"),
+            ("[cavity]\nradius = 5\nradius = 6", "redefine"),
+            ("[cavity]\nradius = 10\n[nozzle]\nposition = [0, 12, 0]", "the wall at [0, 9, 0]"),
         ]:
             with self.subTest(text):
                 self.refuse_config(text, allowed)

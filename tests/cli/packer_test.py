@@ -355,6 +355,10 @@ class Refusals(PackerTest):
                      lambda: wirepack.Packer("run.toml", output="there.h5", resume=True)):
             with self.assertRaisesRegex(OSError, r"no/out.h5|/proc/out.h5|there.h5"):
                 call()
+        self.write("there.h5.lock", "something")  # in place of that of a run
+        with self.assertRaisesRegex(OSError, "there.h5.lock: is in the way"):
+            packer.save("there.h5", replace=True)
+        (self.folder / "there.h5.lock").unlink()
         packer.save("there.h5", replace=True)
         self.assertEqual((self.folder / "there.h5").read_bytes(), packer.path.read_bytes())
         self.assertEqual(self.names(), ["run.toml", "there.h5"])
@@ -392,8 +396,9 @@ class Refusals(PackerTest):
                 packer.energy(good, bad)
         with self.assertRaisesRegex(ValueError, "inserted_length = 1.*: must be above"):
             packer.energy(numpy.cumsum(numpy.tile([0, 0, 1.0], (9, 1)), axis=0), None, 1)
-        with self.assertRaisesRegex(ValueError, "threads = 0: must be 1 or more"):
-            wirepack.writhe(good, threads=0)
+        for threads in (0, 5000):
+            with self.assertRaisesRegex(ValueError, f"threads = {threads}: must be from 1 to 4096"):
+                wirepack.writhe(good, threads=threads)
         with self.assertRaisesRegex(ValueError, "wire_radius = -1"):
             wirepack.radial_density(good, -1, 4, 3)
 

@@ -40,11 +40,12 @@ void draw_packing(const std::filesystem::path& folder, const std::vector<FigureR
 void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// energy: E_bend R / YI against the packing density, with the same model, and E_twist R / YI in an
-/// inset. False: without that, as the runs have no torsional energy.
-bool draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+/// inset, where the runs have torsional energy.
+void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
-/// torsion: E_twist R / YI against the packing density; log axis.
-void draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
+/// torsion: E_twist R / YI against the packing density; log axis. Where the runs have no torsional
+/// energy nothing is drawn, and false is returned.
+bool draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
 /// phi_max: the packing density at which F R^2 / YI, as a mean over an edge length, first reaches
 /// `threshold` after the first coil, against a / R; log axes. With power laws fitted to the runs of

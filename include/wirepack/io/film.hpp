@@ -9,9 +9,11 @@
 
 namespace wirepack {
 
-/// Names of the pictures of a film, 0001.png and so on: one for each saved frame of the run, or
-/// `most_frames`, which are evenly spread then, the last one among them.
-std::vector<std::string> film_pictures(const Hdf5Reader& reader, std::size_t most_frames);
+/// Names in FOLDER/film that a film takes: 0001.png and so on, one for each saved frame of the run,
+/// or `most_frames`, which are evenly spread then, the last one among them; and those of the
+/// pictures of an earlier film, which are removed.
+std::vector<std::string> film_pictures(const std::filesystem::path& folder,
+                                       const Hdf5Reader& reader, std::size_t most_frames);
 
 /// What it takes to make film.mp4 of them: a command of ffmpeg, for the folder that holds film/.
 std::string film_command();

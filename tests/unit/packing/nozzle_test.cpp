@@ -57,13 +57,16 @@ void expect_refused(const NozzleOptions& nozzle, const std::string& said) {
 
 TEST(Nozzle, that_is_outside_or_feeds_the_wire_out_is_refused) {
   EXPECT_TRUE(problems(with_nozzle({})).empty());
-  EXPECT_TRUE(problems(with_nozzle({.position = Vec3(9, 0, 0)})).empty());
+  EXPECT_TRUE(problems(with_nozzle({.position = Vec3(9, 1e-17, 0)})).empty());
+  EXPECT_TRUE(problems(with_nozzle({.direction = Vec3(0, 0, -1e300)})).empty());
   expect_refused({.position = Vec3(10, 0, 0)}, "it touches the wall at [9, 0, 0]");
   expect_refused({.position = Vec3::Zero()}, "needs nozzle.direction");
   EXPECT_TRUE(
       problems(with_nozzle({.position = Vec3::Zero(), .direction = Vec3::UnitX()})).empty());
   expect_refused({.direction = Vec3::Zero()}, "not all 0");
   expect_refused({.direction = Vec3::UnitZ()}, "leads out of the cavity");
+  expect_refused({.position = Vec3(1e300, 0, 0)}, "it touches the wall at [9, 0, 0]");
+  expect_refused({.direction = Vec3(0, 0, 1e300)}, "leads out of the cavity");
   expect_refused({.depth = -1}, "must be finite and not negative");
   EXPECT_TRUE(problems(with_nozzle({.depth = 15})).empty());
   expect_refused({.depth = 17}, "no room for the first two edges");
