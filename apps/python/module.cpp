@@ -33,9 +33,8 @@ void translate(std::exception_ptr thrown) {
 }  // namespace
 
 Threads::Threads(int count) : before_(omp_get_max_threads()) {
-  constexpr int most = 4096;
-  if (count < 1 || count > most) {
-    throw InvalidInput(fmt::format("threads = {}: must be from 1 to {}", count, most));
+  if (count < 1 || count > most_threads) {
+    throw InvalidInput(fmt::format("threads = {}: must be from 1 to {}", count, most_threads));
   }
   use_threads(count);
 }

@@ -16,8 +16,8 @@ using Quaternions = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 /// edges. Throws InvalidInput unless there are as many, each of which has a length.
 void set_frames(const Quaternions& quaternion, RodState& rod);
 
-/// As long as it lives, this thread computes with so many threads, 1 to 4096. Throws InvalidInput
-/// for others.
+/// As long as it lives, this thread computes with so many threads, 1 to most_threads. Throws
+/// InvalidInput for others.
 class Threads {
  public:
   explicit Threads(int count);

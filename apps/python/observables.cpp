@@ -118,8 +118,7 @@ void add_observables(py::module_& module) {
       "outside.");
   add("coils", coils, "feed"_a = Vec3(0, 0, 1), one,
       "axis_order, feed_alignment and reversals of the coils of a wire fed along `feed`, its "
-      "writhe "
-      "and average_crossings. Costs N^2.");
+      "writhe and average_crossings. Costs N^2.");
   add(
       "coil_axes", [](const Positions& r) -> Positions { return coil_axes(rod(r)).transpose(); },
       "Unit axes of the turns (M x 3).");

@@ -222,7 +222,7 @@ Command run_command(CLI::App& program, const std::string& command_line) {
          "--threads", options->threads,
          "Threads to compute with, 1 by default; never changes a result. Large dense packings gain")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->check(CLI::Range(1, most_threads));
   app->footer(
       "Examples:\n"
       "  wirepack run data/scenarios/quickstart.toml -o quickstart.h5\n"

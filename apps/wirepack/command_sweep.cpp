@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/threads.hpp"
 #include "wirepack/io/sweep_folder.hpp"
 #include "wirepack/io/sweep_plan.hpp"
 #include "wirepack/io/sweep_tables.hpp"
@@ -179,7 +180,7 @@ Command sweep_command(CLI::App& program) {
       ->check(CLI::Range(1, 100000));
   app->add_option("--threads", options->script.threads, "Threads of each task, 1 by default")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->check(CLI::Range(1, most_threads));
   app->add_option("--tasks-per-job", options->script.tasks_per_job,
                   "Tasks of a job of Slurm, one after the other; 1 by default")
       ->type_name("N")

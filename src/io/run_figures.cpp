@@ -105,6 +105,12 @@ std::string density_range(const std::vector<RunGroup>& groups) {
 // Torsional energies over the bending energy below which a log axis would show round-off.
 constexpr double no_torsion = 1e-9;
 
+// More than the rounding of a wire that is free to turn.
+bool has_torsion(const std::vector<RunGroup>& groups) {
+  const double bending = std::max(1e-3, largest(groups, &CurvePoint::bend));
+  return largest(groups, &CurvePoint::twist) > no_torsion * bending;
+}
+
 std::string torsion_curves(const std::vector<RunGroup>& groups, const std::string& figure) {
   const double top = std::max(1e-9, largest(groups, &CurvePoint::twist));
   return fmt::format(
@@ -179,16 +185,6 @@ void draw_force(const std::filesystem::path& folder, const std::vector<FigureRun
        layout.canvas(),
        {}});
 }
-
-namespace {
-
-// More than the rounding of a wire that is free to turn.
-bool has_torsion(const std::vector<RunGroup>& groups) {
-  const double bending = std::max(1e-3, largest(groups, &CurvePoint::bend));
-  return largest(groups, &CurvePoint::twist) > no_torsion * bending;
-}
-
-}  // namespace
 
 void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRun>& runs) {
   const std::vector<RunGroup> groups = run_groups(runs);

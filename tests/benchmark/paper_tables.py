@@ -4,7 +4,8 @@
 WIREPACK=build/wirepack paper_tables.py SWEEP... prints one line of CSV for each series of runs that
 differ in their seeds alone: densities at which the force, as a mean over an edge after the first
 coil, reaches thresholds of F R^2/YI and of F/(Y a^2), with standard errors; and what the last
-frames are like. Ends with machine and program.
+frames are like. Ends with
+the machine and the commits of the programs that made the runs.
 """
 
 import csv
@@ -16,6 +17,8 @@ import sys
 import tomllib
 from pathlib import Path
 from statistics import fmean, stdev
+
+import h5py
 
 PROGRAM = os.environ.get("WIREPACK", "wirepack")
 THRESHOLDS = [("scaled_force", 10), ("force", 0.1), ("force", 10**-0.5)]
@@ -45,6 +48,12 @@ def density_at(frame, scale, level):
     return None
 
 
+def commit_of(run):
+    """Of the program that made a result."""
+    with h5py.File(run, "r") as file:
+        return str(file.attrs["git_commit"])
+
+
 def series_row(sweep, series, frames):
     first = series[0]
     config = tomllib.loads((Path(first).parent / "config.toml").read_text())
@@ -68,13 +77,15 @@ def main(folders):
         ["sweep", "series", "setup", "a_over_R", "runs"]
         + [column for name in names for column in (name, f"{name}_error")]
     )
+    commits = set()
     for folder in folders:
         found = analyzed(folder)
         frames = {frame["run"]: frame for frame in found["frames"]}
+        commits |= {commit_of(run) for run in frames}
         for ensemble in found["ensembles"]:
             table.writerow(series_row(Path(folder).name, ensemble["runs"], frames))
-    version = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True)
-    print(f"# {platform.machine()}, {os.cpu_count()} processors; {version.stdout.splitlines()[0]}")
+    made_by = ", ".join(sorted(commits))
+    print(f"# {platform.machine()}, {os.cpu_count()} processors; runs by commit {made_by}")
 
 
 if __name__ == "__main__":

@@ -314,6 +314,16 @@ class Figures(ProgramTest):
         self.assertIn("no torsion, and no inset in energy: the runs have no torsional", out)
         self.assertFalse((self.folder / "short/torsion.png").exists())
 
+    def test_the_axis_of_phi_max_begins_below_every_point(self):
+        self.make_packing("10.h5", 1, "--set", "stop.density=0.08", "--set", "cavity.radius=10")
+        code, _, err = self.figures("10.h5", "-o", "figures", "--threshold", "0.01")
+        self.assertEqual(code, 0, err)
+        script = (self.folder / "figures/phi_max.gp").read_text()
+        axis = float(re.search(r"set yrange \[([^:]*):1\]", script)[1])
+        density = self.blocks("phi_max")[0][0, 1]
+        self.assertLess(density, 0.1)
+        self.assertLess(axis, density)
+
     def test_a_figure_of_an_earlier_call_does_not_stay_behind(self):
         self.make_packing("1.h5", 1, "--set", "stop.density=0.5")
         for threshold, there in (("0.01", True), ("1000", False)):

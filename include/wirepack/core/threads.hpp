@@ -6,6 +6,9 @@
 
 namespace wirepack {
 
+/// More are a mistake, and can end the process.
+inline constexpr int most_threads = 4096;
+
 /// How many threads computations may use from now on; without a call, as many as OpenMP is told by
 /// its own environment. Results have the same bits with any number.
 void use_threads(int count);

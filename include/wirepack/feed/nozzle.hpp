@@ -25,10 +25,9 @@ struct Nozzle {
 /// node just touches the wall (in a sphere at (0, 0, R - a)), and feeds along the inward normal.
 struct NozzleOptions {
   TwistCondition twist = TwistCondition::free;
-  std::optional<Vec3> position = std::nullopt;  ///< where it enters the cavity [length]
-  std::optional<Vec3> direction =
-      std::nullopt;  ///< in which it feeds, of any length; of the inward normal there
-  double depth = 0;  ///< how far it goes on from there, into the cavity [length]
+  std::optional<Vec3> position = std::nullopt;   ///< where it enters the cavity [length]
+  std::optional<Vec3> direction = std::nullopt;  ///< in which it feeds; its length does not matter
+  double depth = 0;                              ///< how far it reaches in from there [length]
 };
 
 /// Its clamp is at `position`: the depth is left out. The position is one at which a wire of this

@@ -48,7 +48,7 @@ struct DynamicsOptions {
 struct ImperfectionOptions {
   double natural_curvature = 0;  ///< rest curvature of the wire, over 1 / R
   double nozzle_offset = 0;      ///< of the nozzle along the wall, over the wire radius
-  double nozzle_tilt = 0;        ///< between the nozzle and its direction [rad]
+  double nozzle_tilt = 0;        ///< of the nozzle out of its direction [rad]
 };
 
 enum class Setup { low_torsion, high_torsion };
