@@ -53,13 +53,6 @@ std::optional<StopReason> failure_of(const EquilibriumReport& report) {
   return StopReason::no_equilibrium;
 }
 
-// The equilibrium that the wire is fed from, and what a split has changed on the way to it.
-struct Start {
-  double energy, force;
-  double dissipated = 0;  // by friction, while the wire gave way to the split
-  double released = 0;    // by a snap that the split set off
-};
-
 // What an increment has fed.
 struct Fed {
   double length;
@@ -113,31 +106,6 @@ SlipWork start_friction(PackingModel& model, const PackingProgress& progress) {
   return start_friction(model, progress.rod, observe(model, progress.rod), progress.slip_memory);
 }
 
-// Splits an inlet edge that has grown long. If no equilibrium is found with the new short edge, the
-// split is undone and waits until the edge is longer. From `latest_split` on it must succeed.
-Start split_inlet_if_due(PackingModel& model, Trial& trial) {
-  PackingProgress& next = trial.progress;
-  Start start{next.last.energy_total, next.last.force};
-  if (!split_is_due(next.rod, longest_inlet * model.wire.edge_length)) return start;
-  const PackingProgress unsplit = next;
-  split_inlet(next.rod, model.nozzle, model.wire);
-  const RodState before = next.rod;
-  const SlipWork at_start = start_friction(model, next);
-  const Equilibrium found = come_to_rest(model, before, at_start, trial);
-  if (!trial.failure) {
-    const double taken = start.energy - found.report.energy - against_friction(found, at_start);
-    const double edge_work =
-        model.wire.edge_length * std::max(std::abs(start.force), force_unit(model.scenario));
-    const double released = book_split(taken, edge_work, next.balance);
-    return {found.report.energy, found.report.inlet_length_force, found.slip.dissipated, released};
-  }
-  if (!split_is_due(unsplit.rod, latest_split * model.wire.edge_length)) {
-    next = unsplit;
-    trial.failure.reset();
-  }
-  return start;
-}
-
 // Moves the nodes at random until the first coil has formed, off the straight wire, which is a
 // saddle under compression.
 void perturb(const PackingModel& model, PackingProgress& next) {
@@ -170,7 +138,7 @@ Fed feed(PackingModel& model, double length, Trial& trial) {
 
 // Compares the work of the force with what the increment has spent. What is missing was released by
 // a snap, or is an error.
-WorkBooking account(const PackingModel& model, const Start& start, const Fed& fed, double force,
+WorkBooking account(const PackingModel& model, const FeedStart& start, const Fed& fed, double force,
                     double spent, Trial& trial) {
   PackingProgress& next = trial.progress;
   const WorkBooking booking =
@@ -197,12 +165,37 @@ HistoryRow record(const PackingModel& model, const PackingProgress& next,
 
 double inlet_at_start(const RodParams& wire) { return inlet_of_whole_edges * wire.edge_length; }
 
-Trial attempt_increment(PackingModel& model, const PackingProgress& from, double longest) {
+// If no equilibrium is found with the new short edge, the split is undone and waits until the edge
+// is longer. From `latest_split` on it must succeed.
+FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from) {
+  FeedStart start{{from, std::nullopt, true, {}}, from.last.energy_total, from.last.force};
+  if (!split_is_due(from.rod, longest_inlet * model.wire.edge_length)) return start;
+  PackingProgress& next = start.split.progress;
+  split_inlet(next.rod, model.nozzle, model.wire);
+  const RodState before = next.rod;
+  const SlipWork at_start = start_friction(model, next);
+  const Equilibrium found = come_to_rest(model, before, at_start, start.split);
+  if (start.split.failure) {
+    if (split_is_due(from.rod, latest_split * model.wire.edge_length)) return start;
+    next = from;
+    start.split.failure.reset();
+    return start;
+  }
+  const double taken = start.energy - found.report.energy - against_friction(found, at_start);
+  const double edge_work =
+      model.wire.edge_length * std::max(std::abs(start.force), force_unit(model.scenario));
+  start.released = book_split(taken, edge_work, next.balance);
+  start.energy = found.report.energy;
+  start.force = found.report.inlet_length_force;
+  start.dissipated = found.slip.dissipated;
+  return start;
+}
+
+Trial attempt_increment(PackingModel& model, const FeedStart& start, double longest) {
+  const PackingProgress& from = start.split.progress;
   Trial trial{from, std::nullopt, true, {}};
   PackingProgress& next = trial.progress;
   const double length = length_of_increment(model, from, longest);
-  const Start start = split_inlet_if_due(model, trial);
-  if (trial.failure) return trial;
 
   const RodState before = next.rod;
   const SlipWork at_start = start_friction(model, next);

@@ -18,9 +18,22 @@ struct Trial {
   SolverWork work;
 };
 
-// One increment of at most `longest` times the configured length, in five stages: split the inlet
-// edge, feed, equilibrate, account for the work, record the row.
-Trial attempt_increment(PackingModel& model, const PackingProgress& from, double longest);
+// The equilibrium that the wire is fed from, and what a split of the inlet edge has changed on the
+// way to it.
+struct FeedStart {
+  Trial split;            // the progress without a split, where none was due
+  double energy, force;   // of the equilibrium
+  double dissipated = 0;  // by friction, while the wire gave way to the split
+  double released = 0;    // by a snap that the split set off
+};
+
+// Splits the inlet edge if it has grown long. Increments that are tried one after the other start
+// from one split.
+FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from);
+
+// One increment of at most `longest` times the configured length, in four stages: feed,
+// equilibrate, account for the work, record the row.
+Trial attempt_increment(PackingModel& model, const FeedStart& start, double longest);
 
 // Rest length of the inlet edge at which whole edges are fed.
 double inlet_at_start(const RodParams& wire);

@@ -1,6 +1,8 @@
 #include "wirepack/packing/quasistatic_packing.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/packing/equilibrate.hpp"
@@ -39,23 +41,33 @@ QuasistaticPacking::~QuasistaticPacking() = default;
 QuasistaticPacking::QuasistaticPacking(QuasistaticPacking&&) noexcept = default;
 
 Advance QuasistaticPacking::advance() {
-  std::int64_t evaluations = 0;
-  while (true) {
-    Trial trial = attempt_increment(*model_, progress_, progress_.substep);
-    evaluations += trial.work.evaluations;
-    progress_.work += trial.work;
-    const bool unresolved = !trial.resolved && progress_.substep > resolving_substep;
+  FeedStart start = ready_to_feed(*model_, progress_);
+  PackingProgress& from = start.split.progress;
+  SolverWork work = start.split.work;
+  std::optional<StopReason> failure = start.split.failure;
+  while (!failure) {
+    Trial trial = attempt_increment(*model_, start, from.substep);
+    work += trial.work;
+    const bool unresolved = !trial.resolved && from.substep > resolving_substep;
     if (!trial.failure && !unresolved) {
-      trial.progress.last.evaluations = static_cast<double>(evaluations);
-      trial.progress.work = progress_.work;
-      trial.progress.substep = std::min(1.0, 2 * trial.progress.substep);
+      work += progress_.work;
       progress_ = std::move(trial.progress);
+      progress_.last.evaluations = static_cast<double>(work.evaluations - from.work.evaluations);
+      progress_.work = work;
+      progress_.substep = std::min(1.0, 2 * from.substep);
       return {progress_.last, reached_limit(model_->scenario, progress_)};
     }
-    if (progress_.substep <= smallest_substep) return {std::nullopt, trial.failure};
-    progress_.substep /= 2;
-    if (trial.failure) ++progress_.rollbacks;
+    if (from.substep <= smallest_substep) {
+      failure = trial.failure;
+    } else {
+      from.substep /= 2;
+      if (trial.failure) ++from.rollbacks;
+    }
   }
+  progress_.work += work;
+  progress_.substep = from.substep;
+  progress_.rollbacks = from.rollbacks;
+  return {std::nullopt, failure};
 }
 
 bool QuasistaticPacking::frame_is_due() const {
