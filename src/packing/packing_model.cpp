@@ -12,10 +12,6 @@ namespace wirepack {
 
 namespace {
 
-// Share of the Hessian in its model. The Hessian has negative eigenvalues on the way down; with
-// this share the model nearly always is positive definite.
-constexpr double curvature_exactness = 0.7;
-
 // Nodes that settle_tip moves, its tolerance over that of an equilibrium, and its evaluations. A
 // few nodes are quick, and all others are in equilibrium already.
 constexpr Index tip_nodes = 5;
@@ -93,7 +89,6 @@ EquilibriumReport minimize(PackingModel& model, RodState& rod) {
   const bool coiled = total_rest_length(rod, model.wire) > 2 * pi * radius;
   EquilibriumOptions options = model.options;
   options.turning_taper = coiled ? radius : 0;
-  options.exactness = curvature_exactness;
   const EquilibriumReport report =
       solve_equilibrium(rod, held_unknowns(model, rod), model.terms, options);
   if (torsion_free(model.scenario, model.wire)) remove_twist(rod);

@@ -65,6 +65,30 @@ TEST(Feeder, InsertedLengthIsTheGrowthOfTheRestLength) {
   EXPECT_DOUBLE_EQ(total_rest_length(wire.rod, wire.params), before + 0.3);
 }
 
+TEST(Feeder, FedWireSlidesAlongItselfSoThatTenEdgesShareTheCompression) {
+  HeldWire wire(1);
+  const RodState before = wire.rod;
+  insert(wire.rod, 0.5);
+  check_state(wire.rod);
+  EXPECT_EQ(Vec3(wire.rod.nodes.rightCols<1>()), Vec3(before.nodes.rightCols<1>()));
+  EXPECT_EQ(Points(wire.rod.nodes.leftCols(11)), Points(before.nodes.leftCols(11)));
+  // from the arc of radius 12, chords of length 1 are 1 / (8 * 12) away
+  const Vec3 centre(12, 0, 0);
+  for (Index i = 0; i + 1 < wire.rod.node_count(); ++i) {
+    EXPECT_NEAR((wire.rod.nodes.col(i) - centre).norm(), 12, 1.1 / 96);
+  }
+  RodState in_one_edge = before;
+  in_one_edge.inlet_rest_length += 0.5;
+  const StretchEnergy stretch(wire.params);
+  Gradient gradient;
+  const auto energy = [&](const RodState& rod) {
+    set_zero(gradient, rod);
+    return double(stretch.add_gradient(rod, gradient));
+  };
+  // 0.5 over 1.5 + 0.5 of rest length, against 0.5 over 9 + 2
+  EXPECT_NEAR(energy(in_one_edge) / energy(wire.rod), 11.0 / 2, 1);
+}
+
 TEST(Feeder, SplitIsDueAtTheLongestInletEdge) {
   HeldWire wire(1);
   wire.rod.inlet_rest_length = 1.1 - 1e-14;
