@@ -25,6 +25,8 @@ constexpr std::array twist_names{std::pair{TwistCondition::free, "free"},
 
 constexpr std::array method_names{std::pair{Method::quasistatic, "quasistatic"},
                                   std::pair{Method::dynamic, "dynamic"}};
+constexpr std::array descent_names{std::pair{DescentMethod::nlopt_lbfgs, "nlopt_lbfgs"},
+                                   std::pair{DescentMethod::compact_lbfgs, "compact_lbfgs"}};
 constexpr std::array friction_names{std::pair{FrictionModel::none, "none"},
                                     std::pair{FrictionModel::coulomb, "coulomb"}};
 
@@ -174,6 +176,8 @@ std::vector<ConfigKey> config_keys() {
       limit("density", in(&Scenario::stop, &StopLimits::density)),
       limit("length", in(&Scenario::stop, &StopLimits::length)),
       limit("increments", in(&Scenario::stop, &StopLimits::increments)),
+      choice("minimizer", "method", descent_names,
+             in(&Scenario::minimizer, &MinimizerOptions::method)),
       member("minimizer", "tolerance", in(&Scenario::minimizer, &MinimizerOptions::tolerance)),
       member("minimizer", "max_evaluations",
              in(&Scenario::minimizer, &MinimizerOptions::max_evaluations)),

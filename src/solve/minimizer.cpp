@@ -6,6 +6,8 @@
 #include <nlopt.hpp>
 #include <vector>
 
+#include "compact_lbfgs.hpp"
+
 namespace wirepack {
 
 namespace {
@@ -48,10 +50,8 @@ double call_objective(unsigned n, const double* y, double* gradient, void* data)
   return value;
 }
 
-}  // namespace
-
-DescentReport descend(const Objective& objective, const Eigen::VectorXd& start,
-                      const DescentOptions& options) {
+DescentReport nlopt_lbfgs(const Objective& objective, const Eigen::VectorXd& start,
+                          const DescentOptions& options) {
   nlopt::opt optimizer(nlopt::LD_LBFGS, static_cast<unsigned>(start.size()));
   Descent descent;
   descent.objective = &objective;
@@ -72,6 +72,19 @@ DescentReport descend(const Objective& objective, const Eigen::VectorXd& start,
                              ? DescentEnd::evaluation_limit
                              : DescentEnd::gave_up;
   return {end, descent.evaluations};
+}
+
+}  // namespace
+
+DescentReport descend(const Objective& objective, const Eigen::VectorXd& start,
+                      const DescentOptions& options) {
+  switch (options.method) {
+    case DescentMethod::compact_lbfgs:
+      return compact_lbfgs(objective, start, options);
+    case DescentMethod::nlopt_lbfgs:
+      break;
+  }
+  return nlopt_lbfgs(objective, start, options);
 }
 
 }  // namespace wirepack

@@ -5,6 +5,7 @@
 #include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/rod/frame_chart.hpp"
 #include "wirepack/rod/rod_state.hpp"
+#include "wirepack/solve/minimizer.hpp"
 #include "wirepack/solve/solver_work.hpp"
 
 namespace wirepack {
@@ -14,7 +15,8 @@ struct MinimizerOptions {
   int max_evaluations = 20000;  ///< per equilibrium
   int memory = 20;              ///< vector pairs of L-BFGS
   int refactor_every = 35;      ///< most evaluations with one factor of the Hessian's model
-  double shift = 1e-6;          ///< added to the diagonal of the Hessian's model, over YI / a^3
+  DescentMethod method = DescentMethod::nlopt_lbfgs;
+  double shift = 1e-6;  ///< added to the diagonal of the Hessian's model, over YI / a^3
 };
 
 /// Keeps strands from jumping through each other on the way down. Within one round (one factor, one

@@ -14,9 +14,15 @@ struct Evaluation {
 
 using Objective = std::function<Evaluation(const Eigen::VectorXd& y, Eigen::VectorXd& gradient)>;
 
+/// Two programs of one method. NLopt's (Nocedal, Luksan) goes through the pairs of L-BFGS one after
+/// the other. The compact form (Byrd, Nocedal and Schnabel, Math. Program. 63, 129, 1994, Eq. 3.1)
+/// has the same inverse Hessian as one product with all pairs, in vector registers and by threads.
+enum class DescentMethod { nlopt_lbfgs, compact_lbfgs };
+
 struct DescentOptions {
   int max_evaluations = 50;  ///< at least 1; NLopt may take one more in its line search
   int memory = 20;           ///< vector pairs of L-BFGS; NLopt's own choice is 77 times slower
+  DescentMethod method = DescentMethod::nlopt_lbfgs;
 };
 
 enum class DescentEnd { good_enough, evaluation_limit, gave_up };
@@ -26,10 +32,10 @@ struct DescentReport {
   int evaluations;
 };
 
-/// Descends from y = `start` with NLopt's L-BFGS (Nocedal, Luksan) until the objective calls a
-/// point good enough, the limit is reached or the library gives up. Its return codes certify
-/// nothing near round-off, so the caller judges by what its objective has seen. Exceptions of the
-/// objective and non-finite values end the descent; exceptions are passed on.
+/// Descends from y = `start` by L-BFGS until the objective calls a point good enough, the limit is
+/// reached or the method gives up. NLopt's return codes certify nothing near round-off, so the
+/// caller judges by what its objective has seen. Exceptions of the objective are passed on. Values
+/// that are not finite end a descent of NLopt; the compact form takes a shorter step.
 DescentReport descend(const Objective& objective, const Eigen::VectorXd& start,
                       const DescentOptions& options);
 

@@ -154,26 +154,5 @@ TEST(Equilibrium, StartWithoutAnEnergyIsANumericalFailure) {
   EXPECT_THROW(c.rest(), NumericalFailure);
 }
 
-TEST(Descent, ExceptionsOfTheObjectiveAreHandedOnAtOnce) {
-  int calls = 0;
-  const Objective objective = [&](const Eigen::VectorXd&, Eigen::VectorXd&) -> Evaluation {
-    ++calls;
-    throw std::runtime_error("no");
-  };
-  EXPECT_THROW(descend(objective, Eigen::VectorXd::Zero(3), {}), std::runtime_error);
-  EXPECT_EQ(calls, 1);
-}
-
-TEST(Descent, FindsTheMinimumOfAQuadraticAndStopsWhereItIsTold) {
-  const Eigen::Vector3d target(1, -2, 3);
-  const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& gradient) {
-    gradient = 2 * (y - target);
-    return Evaluation{(y - target).squaredNorm(), (y - target).norm() < 1e-6};
-  };
-  const DescentReport report = descend(objective, Eigen::VectorXd::Zero(3), {});
-  EXPECT_EQ(report.end, DescentEnd::good_enough);
-  EXPECT_LT(report.evaluations, 10);
-}
-
 }  // namespace
 }  // namespace wirepack
