@@ -10,8 +10,9 @@ inline const Quat& frame(const RodState& state, Index index) {
   return state.frames[static_cast<std::size_t>(index)];
 }
 
-// Without torsion and rest curvature the bending energy is a function of the tangents alone:
-// K / 2 |2 t x t' / (1 + t.t')|^2 = 2 K (1 - t.t') / (1 + t.t'), K = YI / l.
+// Without torsion and rest curvature the bending energy is a function of the tangents alone, K / 2
+// times the square of the length of the bending strain (joint_strain.hpp), K = YI / l:
+// 2/3 K (1 - t.t') (1 + 1 / (1 + t.t')).
 template <class T>
 struct TangentBending {
   T energy;
@@ -25,9 +26,11 @@ template <class T>
   const T cosine = dot(before, after);
   const Triple<T> normal = cross(before, after);
   const T f = 1.0 / (1.0 + cosine);
-  const T by_cosine = -4.0 * k * f * f;
-  // the cross product keeps the digits that 1 - cosine loses
-  return {2.0 * k * dot(normal, normal) * f * f, by_cosine * (after - cosine * before),
+  const T two_thirds = (2.0 / 3) * k;
+  const T by_cosine = -two_thirds * (1.0 + 2.0 * f * f);
+  // 1 - cosine; the cross product keeps the digits that it loses
+  const T q = dot(normal, normal) * f;
+  return {two_thirds * q * (1.0 + f), by_cosine * (after - cosine * before),
           by_cosine * (before - cosine * after)};
 }
 

@@ -37,7 +37,7 @@ TEST(TwistConvergence, LocalisedHelixIsOfOrderTwo) {
   EXPECT_GT(testing::measured_order(edges, moment), 1.9);
   EXPECT_GT(testing::measured_order(edges, tension), 1.9);
   EXPECT_GT(testing::measured_order(edges, envelope), 1.9);
-  EXPECT_LT(tension.back(), 4e-3);
+  EXPECT_LT(tension.back(), 2e-3);
 }
 
 TEST(TwistConvergence, StressFreeHelixIsOfOrderTwo) {

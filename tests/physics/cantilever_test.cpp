@@ -10,19 +10,19 @@ using testing::Cantilever;
 TEST(Cantilever, UnderATipLoadFollowsBisshoppAndDrucker) {
   for (const testing::TipLoaded& exact : testing::exact_tip_loaded) {
     const Cantilever found = testing::tip_loaded_cantilever(100, exact.load);
-    // joints are too stiff by (l k)^2 / 3 with l k = 0.045 at the root of the strongest bent: 7e-4
-    EXPECT_NEAR(found.tip_degrees / exact.tip_degrees, 1, 2e-4) << exact.load;
-    EXPECT_NEAR(found.drop / exact.drop, 1, 2e-4) << exact.load;
-    EXPECT_NEAR(found.pull_in / exact.pull_in, 1, 4e-4) << exact.load;
+    // order 2: where curvature changes by k' along the wire, by (l k')^2 / 12 of k^2
+    EXPECT_NEAR(found.tip_degrees / exact.tip_degrees, 1, 1e-4) << exact.load;
+    EXPECT_NEAR(found.drop / exact.drop, 1, 1e-4) << exact.load;
+    EXPECT_NEAR(found.pull_in / exact.pull_in, 1, 1e-4) << exact.load;
   }
 }
 
 TEST(Cantilever, UnderItsOwnWeightFollowsTheMasterCurve) {
   for (const testing::Heavy& exact : testing::exact_heavy) {
     const Cantilever found = testing::heavy_cantilever(200, exact.weight);
-    // joints are too stiff by (l k)^2 / 3, most at the root; the chain has errors of 1 / N^2 also
-    // when it is straight; 1e-5: the digits of the table
-    const double tolerance = (std::pow(exact.root_curvature, 2) / 3 + 1) / (200.0 * 200) + 1e-5;
+    // curvature decays over about 1 / k from the root, errors are a fraction of (l k)^2; the chain
+    // has errors of 1 / N^2 also when it is straight; 1e-5: the digits of the table
+    const double tolerance = (std::pow(exact.root_curvature, 2) / 40 + 1) / (200.0 * 200) + 1e-5;
     EXPECT_NEAR(found.height_by_width / exact.height_by_width, 1, tolerance) << exact.weight;
     EXPECT_NEAR(found.drop / exact.drop, 1, tolerance) << exact.weight;
     EXPECT_NEAR(found.root_curvature / exact.root_curvature, 1, tolerance) << exact.weight;

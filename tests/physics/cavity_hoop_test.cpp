@@ -60,10 +60,9 @@ TEST(HoopInBall, SmallerThanTheBallTouchesNoWallAndHasTheEnergyOfACircle) {
     EXPECT_EQ(report.end, EquilibriumEnd::converged);
     EXPECT_EQ(firm_wall(params, cavity).forces(ring).sum(), 0);
     const double error = report.energy / (pi * stiffness(params).bend / radius) - 1;
-    EXPECT_LT(std::abs(error),
-              10.0 / static_cast<double>(edges * edges));  // turns^2 / 6 = 6.6 / N^2
+    EXPECT_LT(std::abs(error), 20 * std::pow(edges, -4));  // 7 / 720 turns^4 = 15.2 / N^4
     if (previous != 0) {
-      EXPECT_NEAR(previous / error, 4, 0.2);  // order 2
+      EXPECT_NEAR(previous / error, 16, 0.2);  // order 4
     }
     previous = error;
   }
@@ -124,8 +123,8 @@ TEST(HoopInBall, CoilsAtTheWallCostAndPushAsTabulated) {
     // the ends unbend alike in both, so the difference is one more hoop at the wall
     const double hoop =
         coil_energy(3 * per_turn, params, cavity) - coil_energy(2 * per_turn, params, cavity);
-    // turns of pi / 60: strain 2 tan(x / 2) is off by x^2 / 12, and energy twice that; the wall's
-    // overlap and the wire's compression change the radius by less than a thousandth
+    // nodes at the wall, turns x of pi / 60: curvature is off by x^2 / 24, and energy twice that;
+    // the wall's overlap and the wire's compression change the radius by less than a thousandth
     EXPECT_NEAR(hoop / hoop_energy, 1, 2e-3) << radius;
     const double scaled_force =
         hoop / (2 * pi * (radius - 1)) * radius * radius / stiffness(params).bend;

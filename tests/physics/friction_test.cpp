@@ -5,6 +5,7 @@
 
 #include "../support/elastic_rest.hpp"
 #include "../support/rubbing_wire.hpp"
+#include "../support/strain_of_turn.hpp"
 
 namespace wirepack {
 namespace {
@@ -110,7 +111,7 @@ TEST_P(Capstan, ThrustGrowsByTheDiscreteRatioAndFallsByItWhenTheWireIsDrawnBack)
   // nothing.
   wire.params.youngs_modulus = 3e4;
   wire.params.rest_darboux = wire.rod.frames[3].conjugate() *
-                             Vec3(0, 0, 2 * std::tan(angle / 2) / wire.params.edge_length);
+                             Vec3(0, 0, testing::strain_of_turn(angle) / wire.params.edge_length);
   const Vec3 out = testing::tangent(wire.rod, turns);
   const Vec3 against = testing::tangent(wire.rod, 0);
   wire.loads.forces.push_back({0, Vec3::Zero()});

@@ -72,8 +72,8 @@ TEST(NaturalCurvature, ForcedOntoARingStoresTheSquareOfTheDifferenceOrOfTheSum) 
     const double length = 2 * pi * rho;
     const double with = bend * length / 2 * std::pow(1 / rho - 0.4, 2);
     const double against = bend * length / 2 * std::pow(1 / rho + 0.4, 2);
-    // strain 2 tan(pi / N) instead of 2 pi / N: 3e-4 of 1 / rho at N = 100
-    const double tolerance = 4e-4 * bend * length / rho * (1 / rho + 0.4);
+    // strain 2 pi / N but for 7/1440 of its fourth power: 8e-8 of 1 / rho at N = 100
+    const double tolerance = 1e-7 * bend * length / rho * (1 / rho + 0.4);
     EXPECT_NEAR(ring_energy(100, rho, 0, params, false), with, tolerance);
     EXPECT_NEAR(ring_energy(100, rho, pi, params, false), against, tolerance);
   }
@@ -85,7 +85,7 @@ TEST(NaturalCurvature, ARingFreeToRollPutsItsCurvatureInside) {
   const double with = bend * 2 * pi * 2 / 2 * std::pow(0.5 - 0.4, 2);
   const double found = ring_energy(60, 2, 2.5, params, true);
   EXPECT_GT(ring_energy(60, 2, 2.5, params, false), 10 * with);
-  EXPECT_NEAR(found, with, 0.02 * with);  // 9e-4 of the curvature 0.5 against a difference of 0.1
+  EXPECT_NEAR(found, with, 0.02 * with);  // 6e-7 of the curvature 0.5 against a difference of 0.1
 }
 
 }  // namespace

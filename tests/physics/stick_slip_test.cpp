@@ -4,6 +4,7 @@
 #include "wirepack/core/random.hpp"
 
 #include "../support/moving_wire.hpp"
+#include "../support/strain_of_turn.hpp"
 
 namespace wirepack {
 namespace {
@@ -186,7 +187,7 @@ MovingWire wire_on_great_circle(Index turns, double ratio, double mu) {
   WireForces forces;
   forces.wire.edge_length = 2 * radius * std::sin(turn / 2);
   forces.wire.stretch_multiplier = 30;
-  forces.wire.rest_darboux = Vec3(2 * std::tan(turn / 2) / forces.wire.edge_length, 0, 0);
+  forces.wire.rest_darboux = Vec3(testing::strain_of_turn(turn) / forces.wire.edge_length, 0, 0);
   forces.cavity = Cavity{radius + 1};
   forces.friction = StickSlipLaw{mu, mu, 2.0 / 3, 0.05};
   forces.damping = 0.2;

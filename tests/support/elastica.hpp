@@ -76,10 +76,9 @@ inline ElasticaShape compressed_rod(Index edges, double shortening, bool clamped
   held.angle.assign(held.angle.size(), true);  // in the plane nothing twists
   held.hold_node(0);
   held.hold_node(edges);
-  // Pins that meet let the rod turn about them; by symmetry its middle stays, and no force acts
-  // there.
-  if (!clamped && shortening == 1)
-    held.coordinate[static_cast<std::size_t>(3 * (edges / 2) + 2)] = true;
+  // Ends that meet let a pinned rod turn about them, and a clamped one, a closed curve, slide along
+  // itself; by symmetry its middle stays, and no force acts there.
+  if (shortening == 1) held.coordinate[static_cast<std::size_t>(3 * (edges / 2) + 2)] = true;
   rest(state, held, params);
   const Points force = reactions(state, params).force;
   const Vec3 first_tangent = tangent(state, 0);

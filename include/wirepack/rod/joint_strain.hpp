@@ -19,11 +19,14 @@ struct JointStrainOf {
 };
 
 /// Strain from the relative quaternion p = conj(q_before) q_after = (w, x, y, z). This is half of
-/// the twist, a turn of the tangent, and the other half of the twist. Bending is
-/// 2 (x, y) / sqrt(w^2 + z^2) in the frame half-way through the twist, of length 2 tan(angle / 2);
-/// twist is 2 atan2(z, w). Bending is thus independent of the relative twist, and grows without
-/// bound towards a turn of pi. (Averaged directors of the two edges depend on the twist, and open
-/// a hinge.)
+/// the twist, a turn of the tangent by an angle, and the other half of the twist. Bending is the
+/// vector 2 (x, y) sqrt((2 + 1 / c^2) / 3) in the frame half-way through the twist,
+/// c^2 = w^2 + z^2 = cos^2(angle / 2), s^2 = x^2 + y^2 = sin^2(angle / 2); twist is 2 atan2(z, w).
+/// Bending is thus independent of the relative twist. (Averaged directors of the two edges depend
+/// on the twist, and open a hinge.) The square of its length is
+///     2/3 (2 s)^2 + 1/3 (2 s / c)^2 = angle^2 (1 + 7/720 angle^4 + ...),
+/// in which the first errors of chord and tangent cancel. So it is that of the turning angle, which
+/// is exact on arcs, but for 1 % at a radian; and it grows without bound towards a turn of pi.
 ///
 /// `twist_guide` picks the whole turns: the twist returned is within pi of it. p and -p are the
 /// same rotation. The one with the returned twist is taken, up to full cycles of 4 pi, so the
@@ -42,12 +45,15 @@ template <class T>
 
   // dp = 1/2 (0, spin) p, spin in the frame `before`
   const T inverse_c2 = 1.0 / (w * w + z * z);
-  const T scale = sqrt(inverse_c2);
+  const T square = inverse_c2 + 2.0;
+  const T scale = sqrt((1.0 / 3) * square);
   const T a = (z * y - w * x) * inverse_c2;  // d log(w^2 + z^2) = (a, b, 0) . spin
   const T b = -(z * x + w * y) * inverse_c2;
+  const T share = inverse_c2 / square;  // d log(scale^2) = -share (a, b, 0) . spin
+  const T scaled_a = share * a, scaled_b = share * b;
   return {{2.0 * scale * x, 2.0 * scale * y, raw + (2 * pi) * turns},
-          scale * Triple<T>{w - x * a, z - x * b, -y},
-          scale * Triple<T>{-z - y * a, w - y * b, x},
+          scale * Triple<T>{w - x * scaled_a, z - x * scaled_b, -y},
+          scale * Triple<T>{-z - y * scaled_a, w - y * scaled_b, x},
           {-b, a, T(1.0)}};
 }
 

@@ -7,12 +7,14 @@
 #include "wirepack/rod/joint_strain.hpp"
 
 #include "../../support/sample_rods.hpp"
+#include "../../support/strain_of_turn.hpp"
 
 namespace wirepack {
 namespace {
 
 using testing::random_rotation;
 using testing::random_vector;
+using testing::strain_of_turn;
 
 Quat negative(const Quat& q) { return {-q.w(), -q.x(), -q.y(), -q.z()}; }
 
@@ -24,11 +26,11 @@ Quat joint(double twist, double angle, double azimuth) {
          half_twist;
 }
 
-TEST(JointStrain, BendingIsTwiceTheTangentOfHalfTheAngleAboutTheAxisOfTheTurn) {
+TEST(JointStrain, BendingIsTheMeanSquareOfChordAndTangentAboutTheAxisOfTheTurn) {
   for (const double angle : {1e-6, 0.1, 1.0, 2.0, 3.1}) {
     for (const double azimuth : {0.0, 0.7, 2.5, -1.9}) {
       const Vec3 strain = joint_strain(Quat::Identity(), joint(0, angle, azimuth), 0);
-      const double length = 2 * std::tan(angle / 2);
+      const double length = strain_of_turn(angle);
       // relative round-off; near pi the tangent magnifies it by 50
       EXPECT_NEAR(strain.x(), length * std::cos(azimuth), 1e-13 * length * (1 + length));
       EXPECT_NEAR(strain.y(), length * std::sin(azimuth), 1e-13 * length * (1 + length));
@@ -37,12 +39,27 @@ TEST(JointStrain, BendingIsTwiceTheTangentOfHalfTheAngleAboutTheAxisOfTheTurn) {
   }
 }
 
+TEST(JointStrain, bending_is_the_turning_angle_to_fourth_order) {
+  for (const double angle : {0.05, 0.2, 0.5}) {
+    const double strain = joint_strain(Quat::Identity(), joint(0, angle, 0), 0).x();
+    const double fourth_order = 7.0 / 1440 * std::pow(angle, 4);  // half of that of the square
+    EXPECT_NEAR(strain / angle - 1, fourth_order, 0.2 * angle * angle * fourth_order);
+  }
+}
+
+TEST(JointStrain, bending_grows_without_bound_towards_a_turn_of_pi) {
+  for (const double rest : {1e-2, 1e-3, 1e-4}) {
+    const double strain = joint_strain(Quat::Identity(), joint(0, pi - rest, 0), 0).x();
+    EXPECT_NEAR(strain * rest, 4 / std::sqrt(3.0), 2 * rest);
+  }
+}
+
 TEST(JointStrain, BendingDoesNotDependOnTheRelativeTwistNorTwistOnBending) {
   for (const double twist : {0.0, 0.3, -1.5, 3.0, -3.0, 3.3, 10.0, 20 * pi + 0.1}) {
     for (const double angle : {0.0, 0.4, 2.0}) {
       const Vec3 strain = joint_strain(Quat::Identity(), joint(twist, angle, 0.7), twist);
-      EXPECT_NEAR(strain.x(), 2 * std::tan(angle / 2) * std::cos(0.7), 1e-12) << twist;
-      EXPECT_NEAR(strain.y(), 2 * std::tan(angle / 2) * std::sin(0.7), 1e-12) << twist;
+      EXPECT_NEAR(strain.x(), strain_of_turn(angle) * std::cos(0.7), 1e-12) << twist;
+      EXPECT_NEAR(strain.y(), strain_of_turn(angle) * std::sin(0.7), 1e-12) << twist;
       EXPECT_NEAR(strain.z(), twist, 1e-12) << angle;  // round-off of 60
     }
   }
@@ -102,13 +119,13 @@ TEST(JointStrain, FollowsTenTurnsContinuouslyByItsGuide) {
     const double twist = 20 * pi * step / 200;
     const Vec3 strain = joint_strain(Quat::Identity(), joint(twist, 0.5, 0.7), guide);
     EXPECT_NEAR(strain.z(), twist, 1e-12);
-    EXPECT_NEAR(strain.y(), 2 * std::tan(0.25) * std::sin(0.7), 1e-12);  // no change of sign
+    EXPECT_NEAR(strain.y(), strain_of_turn(0.5) * std::sin(0.7), 1e-12);  // no change of sign
     guide = strain.z();
   }
   EXPECT_NEAR(guide, 20 * pi, 1e-12);
 }
 
-TEST(JointStrain, IsTheCurvatureBinormalSeenHalfWayThroughTheTwist) {
+TEST(JointStrain, HasTheAngleBetweenTheTangentsForItsBending) {
   Random random(7);
   for (int k = 0; k < 50; ++k) {
     const Quat before = random_rotation(random);
@@ -116,8 +133,8 @@ TEST(JointStrain, IsTheCurvatureBinormalSeenHalfWayThroughTheTwist) {
         before * joint(random.symmetric(), 1 + random.symmetric(), 3 * random.symmetric());
     const Vec3 t0 = third_axis(before), t1 = third_axis(after);
     const double length = joint_strain(before, after, 0).head<2>().norm();
-    const double binormal = 2 * t0.cross(t1).norm() / (1 + t0.dot(t1));
-    EXPECT_NEAR(length, binormal, 1e-13 * (1 + binormal * binormal));
+    const double exact = strain_of_turn(std::atan2(t0.cross(t1).norm(), t0.dot(t1)));
+    EXPECT_NEAR(length, exact, 1e-13 * (1 + exact * exact));
   }
 }
 
