@@ -1,6 +1,5 @@
 // Lets go of the friction in a packing: relax_without_friction RESULT.h5 [INCREMENT]. The wire of
-// the last frame, or of the frame of an increment, comes to rest at its length. Exit codes are those
-// of the program wirepack.
+// the last frame, or of that of an increment, comes to rest at its length.
 #include <cstdio>
 #include <exception>
 
@@ -15,15 +14,13 @@ using namespace wirepack;
 namespace {
 
 PackingFrame chosen_frame(const Hdf5Reader& result, const std::string& increment) {
-  const std::vector<std::int64_t> saved = result.frame_increments();
-  if (saved.empty()) throw FileError("the result holds no frame yet");
-  if (increment.empty()) return result.frame(saved.back());
-  for (const std::int64_t k : saved) {
+  std::string known;
+  for (const std::int64_t k : result.frame_increments()) {
     if (std::to_string(k) == increment) return result.frame(k);
+    known.append(" ").append(std::to_string(k));
   }
-  throw InvalidInput(increment + ": the result has no frame of this increment; it has " +
-                     std::to_string(saved.size()) + ", from increment " +
-                     std::to_string(saved.front()) + " to " + std::to_string(saved.back()));
+  if (increment.empty() && !known.empty()) return result.frame(result.frame_increments().back());
+  throw InvalidInput("no frame \"" + increment + "\"; increments with a frame:" + known);
 }
 
 void print(const char* name, PackingModel& model, const RodState& rod) {
@@ -31,26 +28,24 @@ void print(const char* name, PackingModel& model, const RodState& rod) {
   const double total =
       o.energy_stretch + o.energy_bend + o.energy_twist + o.energy_wall + o.energy_contact;
   const double unit = units_of(model.scenario).scaled_energy();
-  std::printf("%-17s %10.4f %10.4f %10.4f %10.4f\n", name, total / unit, o.energy_bend / unit,
+  std::printf("%-15s %10.4f %10.4f %10.4f %10.4f\n", name, total / unit, o.energy_bend / unit,
               o.energy_twist / unit, coil_report(rod, model.nozzle.direction).axis_order);
 }
 
 int relax(const Hdf5Reader& result, const std::string& increment) {
   Scenario scenario = result.scenario();
-  if (scenario.friction.model == FrictionModel::none) {
+  if (scenario.friction.model == FrictionModel::none)
     throw InvalidInput("friction.model = \"none\": the result is of a run without friction");
-  }
   scenario.friction.model = FrictionModel::none;
   PackingModel model(scenario);
   const RodState packed = wire_in_nozzle(model, chosen_frame(result, increment));
   RodState relaxed = packed;
   const Equilibrium found = equilibrate(model, packed, relaxed);
-
-  std::puts("                       E R/YI       bend      twist order of axes");
+  std::puts("energies, R/YI       all       bend      twist  order of axes");
   print("with friction", model, packed);
   print("relaxed", model, relaxed);
-  const double farthest = (relaxed.nodes - packed.nodes).colwise().norm().maxCoeff();
-  std::printf("farthest move %.4g a, residual %.2g, %s\n", farthest / model.wire.radius,
+  const double move = (relaxed.nodes - packed.nodes).colwise().norm().maxCoeff();
+  std::printf("farthest move %.4g a, residual %.2g, %s\n", move / model.wire.radius,
               found.report.residual, found.report.stable ? "a minimum" : "a saddle");
   return found.report.end == EquilibriumEnd::converged && found.report.stable ? 0 : 3;
 }
@@ -63,11 +58,8 @@ int report(const std::exception& error, int code) {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 2 && count != 3) {
-    std::fputs("usage: relax_without_friction RESULT.h5 [INCREMENT]\n", stderr);
-    return 2;
-  }
   try {
+    if (count != 2 && count != 3) throw InvalidInput("usage: RESULT.h5 [INCREMENT]");
     return relax(Hdf5Reader(arguments[1]), count == 3 ? arguments[2] : "");
   } catch (const InvalidInput& error) {
     return report(error, 2);
