@@ -11,6 +11,7 @@
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/io/recorded_run.hpp"
 #include "wirepack/io/result_lock.hpp"
+#include "wirepack/observe/spool_model.hpp"
 #include "wirepack/packing/equilibrate.hpp"
 #include "wirepack/packing/longest_wire.hpp"
 #include "wirepack/packing/packing_model.hpp"
@@ -210,6 +211,13 @@ std::tuple<py::dict, std::string> relaxed(const Configuration& config, const Pos
   return {values_of(frame), fault};
 }
 
+double spool_energy(const Configuration& config, double density, double spacing) {
+  const Scenario& scenario = config.scenario;
+  const double a = scenario.wire.radius;
+  const SpoolModel spool{scenario.cavity, a, stiffness(scenario.wire).bend, spacing * a};
+  return spool.bend_energy(density);
+}
+
 }  // namespace
 
 void add_packing(py::module_& module) {
@@ -236,6 +244,7 @@ void add_packing(py::module_& module) {
   module.def("_run", run);
   module.def("_frame", frame_values);
   module.def("_relaxed", relaxed);
+  module.def("_spool_energy", spool_energy);
   module.def("_energies_at", energies_at, py::call_guard<Computing>());
   module.def("_energies_now", energies_now, py::call_guard<Computing>());
 }

@@ -204,6 +204,14 @@ class Packer(wirepack.Run):
             raise NoEquilibrium(fault)
         return self._as_frame(values)
 
+    def spool_energy(self, density, spacing=2.81):
+        """Bending energy of a straight wire coiled to hexagonal hoops, from the wall inwards.
+
+        The inverse-spool model (Purohit, Kondev, Phillips 2003) at a packing density. spacing:
+        between neighbouring hoops, in wire radii; 2: they touch.
+        """
+        return _wirepack._spool_energy(self._configuration, density, spacing)
+
     @classmethod
     def _wire(cls, position, quaternion, inserted_length):
         """Positions, quaternions and length of a frame, or those that are given."""

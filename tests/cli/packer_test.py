@@ -219,6 +219,19 @@ class Energies(PackerTest):
             self.assertEqual(given.position.tobytes(), relaxed.position.tobytes())
             self.assertEqual(len(rubbing.history.force), rows)
 
+    def test_the_spool_of_a_density_has_the_energy_of_its_hoops(self):
+        packer = wirepack.Packer({"cavity": {"radius": 20}})
+        # hoops of radius r: sqrt(20^2 - r^2) high on both sides of the plane, YI pi / r each
+        per_area = 2 / 3**0.5 / 2.5**2
+        r = numpy.linspace(12, 20, 100001)
+        height = 2 * numpy.sqrt(20**2 - r**2)
+        energy = numpy.trapz(height * packer.bend_stiffness * numpy.pi / r, r) * per_area
+        length = numpy.trapz(height * 2 * numpy.pi * r, r) * per_area
+        density = 0.75 * length / 20**3
+        self.assertAlmostEqual(packer.spool_energy(density, 2.5) / energy, 1, 6)
+        with self.assertRaisesRegex(ValueError, "density = 0.5.*: an inverse spool needs"):
+            packer.spool_energy(0.5)
+
     def test_what_comes_to_no_rest_is_an_error(self):
         packer = wirepack.Packer("run.toml", {"minimizer.max_evaluations": 1})
         position = numpy.cumsum(numpy.tile([0, 0.1, 0.5], (6, 1)), axis=0)
