@@ -2,10 +2,12 @@
 """Energies of packings that friction left, of those relaxed from them, and of spools.
 
 PYTHONPATH=apps/python:build/python order_energy.py SWEEP... prints a line of CSV for each cavity,
-setup and density. The sweeps have runs with friction; the same runs without it, which pack the same
-wires from the same nozzles; and runs without friction and imperfections, whose spools are those of
-a perfect wire. Energies are in YI / R, means over seeds with standard errors. Ends with the commits
-of the programs that made the runs.
+setup and density. The sweeps have runs with friction; the same without, which feed the same wires
+from the same nozzles (same_spool); and one run of each setup without friction and imperfections, at
+seed 1 (perfect_spool; straight_spool is that of low torsion). All have the length of the packing.
+Energies are in YI / R, means over seeds with standard errors. spool_lower counts the seeds whose
+spool has less energy than the relaxed packing. Ends with the commits of the programs that made the
+runs.
 """
 
 import csv
@@ -17,7 +19,6 @@ import wirepack
 from paper_tables import commit_of, mean_and_error
 
 DENSITIES = (0.3, 0.4)
-PARTS = ("total", "bend", "twist")
 SPACINGS = (2, 2.81)  # strands that touch, and those of the paper
 
 
@@ -30,49 +31,42 @@ def kind_of(run):
     return what, packing["setup"], run.cavity_radius / run.radius, packing["seed"]
 
 
-def energies(run, energy):
-    """Parts of an energy of a frame, in YI / R."""
-    unit = run.bend_stiffness / run.cavity_radius
-    return [value / unit for value in (energy.total, energy.terms["bend"], energy.terms["twist"])]
+def of_frame(state, packer, frame):
+    energy, unit = packer.energy(frame), packer.bend_stiffness / packer.cavity_radius
+    row = {f"{state}_total": energy.total / unit}
+    row |= {f"{state}_{part}": energy.terms[part] / unit for part in ("bend", "twist")}
+    return row | {f"{state}_order": wirepack.coils(frame.position)["axis_order"]}
 
 
-def energies_at(run, length):
-    """The same of a run, at a length between two of its increments; nothing where it is shorter."""
-    history = run.history
+def of_run(state, run, length, parts):
+    """Energies at a length between two increments; nothing where the run is shorter."""
+    history, unit = run.history, run.bend_stiffness / run.cavity_radius
     if length > history.inserted_length[-1]:
-        return [None] * len(PARTS)
-    unit = run.bend_stiffness / run.cavity_radius
-    columns = [history["energy_" + part] for part in PARTS]
-    return [numpy.interp(length, history.inserted_length, column) / unit for column in columns]
-
-
-def order(frame):
-    return wirepack.coils(frame.position)["axis_order"]
+        return {f"{state}_{part}": None for part in parts}
+    at = {p: numpy.interp(length, history.inserted_length, history[f"energy_{p}"]) for p in parts}
+    return {f"{state}_{part}": energy / unit for part, energy in at.items()}
 
 
 def row_of_seed(run, frame, same, perfect, straight):
     """Everything that is averaged over seeds, by name."""
     packer, length = wirepack.Packer(run.config), frame.inserted_length
     relaxed = packer.relax(frame)
-    states = {
-        "packed": energies(run, packer.energy(frame)),
-        "relaxed": energies(run, packer.energy(relaxed)),
-        "same_spool": energies_at(same, length),
-        "perfect_spool": energies_at(perfect, length),
-        "straight_spool": energies_at(straight, length),
-    }
-    row = {f"{s}_{part}": e for s, of in states.items() for part, e in zip(PARTS, of)}
-    unit = run.bend_stiffness / run.cavity_radius
-    for spacing in SPACINGS:  # of a straight wire
-        row[f"model_{spacing}"] = packer.spool_energy(frame.packing_density, spacing) / unit
+    row = of_frame("packed", packer, frame) | of_frame("relaxed", packer, relaxed)
+    row |= of_run("same_spool", same, length, ("total", "bend", "twist"))
+    reached = row["same_spool_total"] is not None
+    nearest = same.frames[frame.packing_density].position if reached else None
+    row["same_spool_order"] = wirepack.coils(nearest)["axis_order"] if reached else None
     for state in ("packed", "relaxed"):
-        below = row["same_spool_total"]
-        row[f"{state}_over_spool"] = None if below is None else row[f"{state}_total"] / below
-    at_rest = same.frames[frame.packing_density] if row["same_spool_total"] else None
-    row |= {"packed_order": order(frame), "relaxed_order": order(relaxed),
-            "same_spool_order": None if at_rest is None else order(at_rest)}
-    row["farthest_move"] = numpy.linalg.norm(relaxed.position - frame.position, axis=1).max()
-    return row
+        ratio = row[f"{state}_total"] / row["same_spool_total"] if reached else None
+        row[f"{state}_over_same_spool"] = ratio
+    row |= of_run("perfect_spool", perfect, length, ("total",))
+    row |= of_run("straight_spool", straight, length, ("total",))
+    unit = packer.bend_stiffness / packer.cavity_radius
+    for spacing in SPACINGS:  # of a straight wire
+        energy = packer.spool_energy(frame.packing_density, spacing)
+        row[f"model_of_spacing_{spacing}"] = energy / unit
+    moves = numpy.linalg.norm(relaxed.position - frame.position, axis=1)
+    return row | {"farthest_move": moves.max() / packer.radius}
 
 
 def rows_of(runs, setup, radius, density):
@@ -105,7 +99,7 @@ def main(folders):
                 names = [column for name in rows[0] for column in (name, f"{name}_error")]
                 table.writerow(["a_over_R", "setup", "density", "runs", "spool_lower", *names])
                 titled = True
-            lower = sum((row["relaxed_over_spool"] or 0) > 1 for row in rows)
+            lower = sum((row["relaxed_over_same_spool"] or 0) > 1 for row in rows)
             values = [v for name in rows[0] for v in mean_and_error([row[name] for row in rows])]
             table.writerow([f"{1 / radius:.4g}", setup, density, len(rows), lower, *values])
     print(f"# runs by commit {', '.join(sorted({commit_of(path) for path in paths}))}")
