@@ -41,17 +41,19 @@ Threads::Threads(int count) : before_(omp_get_max_threads()) {
 
 Threads::~Threads() { use_threads(before_); }
 
-void set_frames(const Quaternions& quaternion, RodState& rod) {
-  if (quaternion.rows() != rod.edge_count()) {
+std::vector<Quat> frames_of(const Quaternions& quaternion, Index edges) {
+  if (quaternion.rows() != edges) {
     throw InvalidInput(
         fmt::format("quaternion: has {} rows; must have one for each of the {} edges",
-                    quaternion.rows(), rod.edge_count()));
+                    quaternion.rows(), edges));
   }
-  for (Index j = 0; j < quaternion.rows(); ++j) {
+  std::vector<Quat> frames;
+  for (Index j = 0; j < edges; ++j) {
     const Eigen::RowVector4d q = quaternion.row(j);
     if (!(q.norm() > 0)) throw InvalidInput(fmt::format("quaternion[{}]: has no length", j));
-    rod.frames[static_cast<std::size_t>(j)] = Quat(q[0], q[1], q[2], q[3]).normalized();
+    frames.push_back(Quat(q[0], q[1], q[2], q[3]).normalized());
   }
+  return frames;
 }
 
 }  // namespace wirepack

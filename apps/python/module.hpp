@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <vector>
 
 #include "wirepack/rod/rod_state.hpp"
 
@@ -12,9 +13,9 @@ namespace py = pybind11;
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Quaternions = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-/// Frames of the edges (E x 4, scalar first) as they are given; carry_frames() brings them onto the
-/// edges. Throws InvalidInput unless there are as many, each of which has a length.
-void set_frames(const Quaternions& quaternion, RodState& rod);
+/// Frames of so many edges (E x 4, scalar first) as they are given; carry_frames() brings them onto
+/// the edges. Throws InvalidInput unless there are as many, each of which has a length.
+std::vector<Quat> frames_of(const Quaternions& quaternion, Index edges);
 
 /// As long as it lives, this thread computes with so many threads, 1 to most_threads. Throws
 /// InvalidInput for others.

@@ -41,7 +41,7 @@ double average_crossings(const Positions& position, bool closed, int threads) {
 
 double twist(const Positions& position, const Quaternions& quaternion, bool closed) {
   RodState state = rod(position, closed);
-  set_frames(quaternion, state);
+  state.frames = frames_of(quaternion, state.edge_count());
   carry_frames(state);
   return total_twist(state);
 }

@@ -6,16 +6,18 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "wirepack/core/error.hpp"
-#include "wirepack/core/rotation.hpp"
 #include "wirepack/io/config_file.hpp"
 #include "wirepack/io/hdf5_reader.hpp"
 #include "wirepack/io/output_path.hpp"
 #include "wirepack/io/recorded_run.hpp"
 #include "wirepack/io/result_lock.hpp"
+#include "wirepack/observe/spool_model.hpp"
+#include "wirepack/packing/equilibrate.hpp"
 #include "wirepack/packing/longest_wire.hpp"
 #include "wirepack/packing/packing_model.hpp"
 #include "wirepack/packing/packing_run.hpp"
 #include "wirepack/packing/warnings.hpp"
+#include "wirepack/packing/wire_in_nozzle.hpp"
 #include "wirepack/rod/frame_chart.hpp"
 
 #include "module.hpp"
@@ -93,11 +95,7 @@ Quaternions quaternions(const RodState& rod) {
   return result;
 }
 
-py::dict frame_values(const Configuration& config, const Path& file) {
-  const PackingFrame frame = [&] {
-    const Computing computing;
-    return frame_now(config, file);
-  }();
+py::dict values_of(const PackingFrame& frame) {
   const auto count = static_cast<Index>(frame.contacts.size());
   Eigen::Matrix<std::int64_t, Eigen::Dynamic, 2> pairs(count, 2);
   Eigen::VectorXd forces(count);
@@ -115,30 +113,24 @@ py::dict frame_values(const Configuration& config, const Path& file) {
                   "contact_pairs"_a = pairs, "contact_force"_a = forces);
 }
 
-// A wire through these nodes that ends in the nozzle: with frames of its edges or, without any,
-// with those that are not twisted against the nozzle.
+py::dict frame_values(const Configuration& config, const Path& file) {
+  const PackingFrame frame = [&] {
+    const Computing computing;
+    return frame_now(config, file);
+  }();
+  return values_of(frame);
+}
+
+// A wire through these nodes that ends in the nozzle: see wire_in_nozzle(). Without a length, all
+// of its edges are whole.
 RodState rod_in_nozzle(const PackingModel& model, const Positions& position,
                        const std::optional<Quaternions>& quaternion,
                        std::optional<double> inserted_length) {
-  const double edge = model.wire.edge_length;
-  RodState rod = make_rod(position.transpose(), model.wire, {.last_clamped = true});
-  const double others = static_cast<double>(rod.edge_count() - 1) * edge;
-  rod.inlet_rest_length = inserted_length.value_or(others + edge) - others;
-  if (!(rod.inlet_rest_length > 0)) {
-    throw InvalidInput(fmt::format(
-        "inserted_length = {}: must be above {}, the rest length of all edges but the last",
-        *inserted_length, others));
-  }
-  Quat& clamp = rod.frames.back();
-  clamp = initial_wire(model.nozzle, model.wire, edge).frames.back();
-  remove_twist(rod);
-  if (!quaternion) return rod;
-  set_frames(*quaternion, rod);
-  if (model.nozzle.twist == TwistCondition::free) {  // turns with the wire
-    const Quat& last = rod.frames[static_cast<std::size_t>(rod.edge_count() - 1)];
-    clamp = (transport(third_axis(last), model.nozzle.direction) * last).normalized();
-  }
-  return rod;
+  const Index edges = position.rows() - 1;
+  const std::vector<Quat> frames = quaternion ? frames_of(*quaternion, edges) : std::vector<Quat>();
+  return wire_in_nozzle(
+      model, position.transpose(), frames,
+      inserted_length.value_or(static_cast<double>(edges) * model.wire.edge_length));
 }
 
 // Energies by term, derivatives by nodes, by the turning of edges and by the length of the wire.
@@ -185,6 +177,47 @@ Energies energies_now(const Configuration& config, const Path& file) {
   return energies(model, frame_now(config, file).rod);
 }
 
+// Why what was found is no minimum; empty if it is one.
+std::string fault_of(const EquilibriumReport& report) {
+  if (report.end != EquilibriumEnd::converged) {
+    return fmt::format("no equilibrium: forces are {:.3g} times the tolerance after {} evaluations",
+                       report.residual, report.work.evaluations);
+  }
+  return report.stable ? "" : "no minimum: a saddle that could not be left";
+}
+
+// The minimum that a wire comes to from these positions without friction, and what kept it from
+// one: nothing, if it is at rest.
+std::tuple<py::dict, std::string> relaxed(const Configuration& config, const Positions& position,
+                                          const std::optional<Quaternions>& quaternion,
+                                          std::optional<double> inserted_length, int threads) {
+  std::string fault;
+  const PackingFrame frame = [&] {
+    const Computing computing;
+    const Threads shared(threads);
+    Scenario scenario = config.scenario;
+    scenario.friction.model = FrictionModel::none;
+    PackingModel model(scenario);
+    PackingProgress progress;
+    progress.rod = rod_in_nozzle(model, position, quaternion, inserted_length);
+    carry_frames(progress.rod);
+    const RodState before = progress.rod;
+    const Equilibrium found = equilibrate(model, before, progress.rod);
+    progress.last = row_of(model, progress.rod, found.observed);
+    progress.last.force = found.report.inlet_length_force;
+    fault = fault_of(found.report);
+    return take_frame(model, progress);
+  }();
+  return {values_of(frame), fault};
+}
+
+double spool_energy(const Configuration& config, double density, double spacing) {
+  const Scenario& scenario = config.scenario;
+  const double a = scenario.wire.radius;
+  const SpoolModel spool{scenario.cavity, a, stiffness(scenario.wire).bend, spacing * a};
+  return spool.bend_energy(density);
+}
+
 }  // namespace
 
 void add_packing(py::module_& module) {
@@ -210,6 +243,8 @@ void add_packing(py::module_& module) {
   });
   module.def("_run", run);
   module.def("_frame", frame_values);
+  module.def("_relaxed", relaxed);
+  module.def("_spool_energy", spool_energy);
   module.def("_energies_at", energies_at, py::call_guard<Computing>());
   module.def("_energies_now", energies_now, py::call_guard<Computing>());
 }

@@ -176,9 +176,7 @@ class Packer(wirepack.Run):
 
     def frame(self):
         """The wire as it is now; .frames are those that are saved on the way."""
-        values = _wirepack._frame(self._configuration, self.path)
-        values = {name: numpy.asarray(value) for name, value in values.items()}
-        return wirepack.Frame(values, values)
+        return self._as_frame(_wirepack._frame(self._configuration, self.path))
 
     def energy(self, position=None, quaternion=None, inserted_length=None):
         """The Energy of a wire in this cavity and nozzle: as it is, of a frame, or at positions.
@@ -190,15 +188,45 @@ class Packer(wirepack.Run):
         """
         if position is None:
             return Energy(*_wirepack._energies_now(self._configuration, self.path))
+        wire = self._wire(position, quaternion, inserted_length)
+        return Energy(*_wirepack._energies_at(self._configuration, *wire))
+
+    def relax(self, position, quaternion=None, inserted_length=None):
+        """The Frame of the minimum that a wire comes to without friction, at this length.
+
+        Arguments are those of energy(): a Frame of this or another run, or positions. The wire goes
+        downhill from there, and strands do not pass through each other. NoEquilibrium where that
+        ends before a minimum. The run stays as it is.
+        """
+        wire = self._wire(position, quaternion, inserted_length)
+        values, fault = _wirepack._relaxed(self._configuration, *wire, self.threads)
+        if fault:
+            raise NoEquilibrium(fault)
+        return self._as_frame(values)
+
+    def spool_energy(self, density, spacing=2.81):
+        """Bending energy of a straight wire coiled to hexagonal hoops, from the wall inwards.
+
+        The inverse-spool model (Purohit, Kondev, Phillips 2003) at a packing density. spacing:
+        between neighbouring hoops, in wire radii; 2: they touch.
+        """
+        return _wirepack._spool_energy(self._configuration, density, spacing)
+
+    @classmethod
+    def _wire(cls, position, quaternion, inserted_length):
+        """Positions, quaternions and length of a frame, or those that are given."""
         if isinstance(position, wirepack.Frame):
-            return self.energy(position.position, position.quaternion, position.inserted_length)
+            frame = position
+            return cls._wire(frame.position, frame.quaternion, frame.inserted_length)
         position = _rows(position, "position", 3, 3)
         if quaternion is not None:
             quaternion = _rows(quaternion, "quaternion", 4, 2)
-        if inserted_length is not None:
-            inserted_length = float(inserted_length)
-        return Energy(*_wirepack._energies_at(self._configuration, position, quaternion,
-                                              inserted_length))
+        return position, quaternion, None if inserted_length is None else float(inserted_length)
+
+    @staticmethod
+    def _as_frame(values):
+        values = {name: numpy.asarray(value) for name, value in values.items()}
+        return wirepack.Frame(values, values)
 
     def save(self, path, replace=False):
         """Copies the result so far to a file. replace: in place of one that is there."""

@@ -198,6 +198,46 @@ class Energies(PackerTest):
             self.assertAlmostEqual(same.total, energy.total, delta=1e-12 * scale)
             numpy.testing.assert_allclose(same.gradient, energy.gradient, atol=1e-3 * tolerance)
 
+    def test_relaxing_lets_go_of_friction_and_leaves_alone_what_has_none(self):
+        for setup in SETUPS:
+            at_rest = dense(setup)
+            frame, same = at_rest.frame(), at_rest.relax(at_rest.frame())
+            numpy.testing.assert_allclose(same.position, frame.position, atol=0.01)
+            rubbing = wirepack.Packer(at_rest.config, {"friction.model": "coulomb"})
+            rubbing.advance(density=0.3)
+            frame, rows = rubbing.frame(), len(rubbing.history.force)
+            relaxed = rubbing.relax(frame)
+            self.assertEqual(relaxed.inserted_length, frame.inserted_length)
+            before, after = rubbing.energy(frame), rubbing.energy(relaxed)
+            self.assertLess(after.total, 0.98 * before.total)
+            unit = rubbing.bend_stiffness / rubbing.cavity_radius**2
+            tolerance = rubbing.config["minimizer"]["tolerance"] * unit
+            self.assertLessEqual(abs(after.gradient[:-1]).max(), 1.001 * tolerance)
+            self.assertGreater(abs(before.gradient[:-1]).max(), 10 * tolerance)
+            self.assertAlmostEqual(relaxed.force, after.force, delta=1e-6 * after.force)
+            given = rubbing.relax(frame.position, frame.quaternion, frame.inserted_length)
+            self.assertEqual(given.position.tobytes(), relaxed.position.tobytes())
+            self.assertEqual(len(rubbing.history.force), rows)
+
+    def test_the_spool_of_a_density_has_the_energy_of_its_hoops(self):
+        packer = wirepack.Packer({"cavity": {"radius": 20}})
+        # hoops of radius r: sqrt(20^2 - r^2) high on both sides of the plane, YI pi / r each
+        per_area = 2 / 3**0.5 / 2.5**2
+        r = numpy.linspace(12, 20, 100001)
+        height = 2 * numpy.sqrt(20**2 - r**2)
+        energy = numpy.trapz(height * packer.bend_stiffness * numpy.pi / r, r) * per_area
+        length = numpy.trapz(height * 2 * numpy.pi * r, r) * per_area
+        density = 0.75 * length / 20**3
+        self.assertAlmostEqual(packer.spool_energy(density, 2.5) / energy, 1, 6)
+        with self.assertRaisesRegex(ValueError, "density = 0.5.*: an inverse spool needs"):
+            packer.spool_energy(0.5)
+
+    def test_what_comes_to_no_rest_is_an_error(self):
+        packer = wirepack.Packer("run.toml", {"minimizer.max_evaluations": 1})
+        position = numpy.cumsum(numpy.tile([0, 0.1, 0.5], (6, 1)), axis=0)
+        with self.assertRaisesRegex(wirepack.NoEquilibrium, "no equilibrium: forces are .* times"):
+            packer.relax(position)
+
     def test_gradients_are_those_of_differences(self):
         for packer in map(dense, SETUPS):  # off the equilibrium, where every term has a share
             frame, step = packer.frame(), 1e-6
@@ -371,7 +411,7 @@ class Refusals(PackerTest):
         good = numpy.array([[0, 0, 0], [0, 0, 1], [0, 0.1, 2], [0, 0, 3.0]])
         infinite, met = good.copy(), good.copy()
         infinite[2, 1], met[2] = numpy.nan, met[1]
-        for call in (packer.energy, wirepack.writhe, wirepack.knot_type):
+        for call in (packer.energy, packer.relax, wirepack.writhe, wirepack.knot_type):
             for bad, message in (
                 (good.T, r"position: has the shape \(3, 4\); must be N x 3"),
                 (good[:2], r"position: has the shape \(2, 3\); must be N x 3, N at least 3"),
