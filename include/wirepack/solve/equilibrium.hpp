@@ -15,8 +15,8 @@ struct MinimizerOptions {
   int max_evaluations = 20000;  ///< per equilibrium
   int memory = 20;              ///< vector pairs of L-BFGS
   int refactor_every = 35;      ///< most evaluations with one factor of the Hessian's model
+  double shift = 1e-6;          ///< added to the diagonal of the Hessian's model, over YI / a^3
   DescentMethod method = DescentMethod::nlopt_lbfgs;
-  double shift = 1e-6;  ///< added to the diagonal of the Hessian's model, over YI / a^3
 };
 
 /// Keeps strands from jumping through each other on the way down. Within one round (one factor, one

@@ -65,7 +65,7 @@ TEST(ConfigFile, the_resolved_text_gives_an_equal_scenario) {
   s.stop.force = 1e-3 / 7;
   s.stop.length = 1e22;
   s.stop.increments = 123456789012;
-  s.minimizer = {1.0 / 3e5, 77, 9, 11, 5e-324};
+  s.minimizer = {1.0 / 3e5, 77, 9, 11, 5e-324, DescentMethod::compact_lbfgs};
   s.output.frame_every_density = 1e-300 / 3;
   const Scenario back = parsed(resolved_config(s));
   EXPECT_EQ(back.setup, s.setup);
@@ -94,6 +94,7 @@ TEST(ConfigFile, the_resolved_text_gives_an_equal_scenario) {
   EXPECT_EQ(back.minimizer.memory, s.minimizer.memory);
   EXPECT_EQ(back.minimizer.refactor_every, s.minimizer.refactor_every);
   EXPECT_EQ(back.minimizer.shift, s.minimizer.shift);
+  EXPECT_EQ(back.minimizer.method, s.minimizer.method);
   EXPECT_EQ(back.output.frame_every_density, s.output.frame_every_density);
   EXPECT_EQ(back.output.checkpoint_every_seconds, s.output.checkpoint_every_seconds);
 }
