@@ -171,8 +171,9 @@ double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const En
     by_y /= unit;
     return Evaluation{height / (unit * unit), at_rest || at_guard};
   };
-  const DescentReport report = descend(objective, Eigen::VectorXd::Zero(chart.size()),
-                                       {max_evaluations, options.method.memory, options.method.method});
+  const DescentReport report =
+      descend(objective, Eigen::VectorXd::Zero(chart.size()),
+              {max_evaluations, options.method.memory, options.method.method});
   watch.lap(work.descent_seconds);
   work.evaluations += report.evaluations;
   if (!heights.known()) throw NumericalFailure("the start has no finite energy");
