@@ -21,6 +21,11 @@ double largest_stick_step(double damping_ratio) {
                            : undamped_limit;
 }
 
+double longest_stick_step(const StickSlipLaw& law, double stiffness_per_mass) {
+  const double frequency = std::sqrt(law.stiffness_ratio * stiffness_per_mass);
+  return largest_stick_step(law.relaxation_time * frequency / 2) / frequency;
+}
+
 void require_calm_sticking(const StickSlipLaw& law, double stiffness_per_mass, double step) {
   const double frequency = std::sqrt(law.stiffness_ratio * stiffness_per_mass);
   const double damping_ratio = law.relaxation_time * frequency / 2;

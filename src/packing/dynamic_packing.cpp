@@ -31,19 +31,6 @@ constexpr double longest_inlet = 1.5;
 // share of all work and dissipation in it.
 constexpr double unstable_share = 0.5;
 
-// Tangential springs of two thirds of the normal stiffness (that of a round, smooth contact is
-// between this and one: Mindlin 1949), damped by a twentieth of the critical value.
-constexpr double tangential_share = 2.0 / 3;
-constexpr double tangential_damping_ratio = 0.05;
-
-StickSlipLaw stick_slip_law(const Scenario& scenario) {
-  const double a = scenario.wire.radius;
-  const double frequency =
-      std::sqrt(tangential_share * scenario.contact.stiffness / (scenario.density * pi * a * a));
-  return {scenario.friction.static_coefficient, scenario.friction.dynamic_coefficient,
-          tangential_share, 2 * tangential_damping_ratio / frequency};
-}
-
 WireForces forces_of(const PackingModel& model) {
   const Scenario& scenario = model.scenario;
   WireForces forces;

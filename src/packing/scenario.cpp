@@ -174,7 +174,7 @@ std::vector<std::string> problems(const Scenario& scenario) {
     const double longest = longest_time_step(scenario);
     allowed << "must be positive and at most " << longest
             << ": vibrations grow by themselves when it is longer than half of the inverse of the "
-               "highest frequency";
+               "highest frequency, and contacts that stick chatter";
     require(positive(*scenario.dynamics.time_step) &&
                 *scenario.dynamics.time_step <= longest * (1 + round_off),
             "dynamics.time_step", *scenario.dynamics.time_step, allowed.str());

@@ -74,6 +74,14 @@ TEST(DynamicPacking, WithFrictionTheWorkIsAccountedForAndTheForceIsAboveTheChang
   EXPECT_LT(end.last.energy_kinetic, 0.02 * end.last.energy_total);
 }
 
+TEST(DynamicPacking, StiffContactsThatStickKeepTheEnergy) {
+  Scenario scenario = scenario_of(Setup::high_torsion, 4, Method::dynamic, 14);
+  scenario.wall_stiffness = scenario.contact.stiffness = 16 * scenario.wire.youngs_modulus;
+  DynamicPacking packing(scenario);
+  run(packing, [](const HistoryRow&) {});
+  EXPECT_LT(std::abs(packing.progress().last.audit_residual), 0.01);
+}
+
 TEST(DynamicPacking, ARunThatGoesOnFromASavedProgressEndsInTheSameBits) {
   const Scenario scenario = scenario_of(Setup::low_torsion, 5, Method::dynamic, 12);
   DynamicPacking straight(scenario);

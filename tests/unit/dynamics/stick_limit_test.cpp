@@ -16,6 +16,11 @@ TEST(StickLimit, the_measured_limits_are_met) {
   EXPECT_DOUBLE_EQ(largest_stick_step(2), 0.04);
 }
 
+TEST(StickLimit, the_longest_step_is_the_limit_over_the_frequency) {
+  // frequency 3, damping ratio 1/2
+  EXPECT_DOUBLE_EQ(longest_stick_step({0.2, 0.18, 0.5, 1.0 / 3}, 18), 0.16 / 3);
+}
+
 TEST(StickLimit, a_long_relaxation_time_needs_a_short_step) {
   // frequency 1, damping ratio 2
   const StickSlipLaw law{0.2, 0.18, 0.5, 4};
