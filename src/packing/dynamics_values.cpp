@@ -47,8 +47,8 @@ double highest_frequency_of(const Scenario& scenario) {
 // Largest stiffness over mass, where a point that sticks is as stiff along the surface as across.
 // The surface is a away from the axis, so it also slips as edges turn, by a / l of the moves of
 // their nodes. The tip: a point contact of 2 a, on half an edge that stands upright on the wall.
-// Crossing strands: such a contact in the middle of two edges, which move sideways and spin, or move
-// along and turn.
+// Crossing strands: such a contact in the middle of two edges, which move sideways and spin, or
+// move along and turn.
 double stick_stiffness_per_mass(const Scenario& scenario) {
   const double r = scenario.wire.radius / scenario.wire.edge_length;
   const double tip = 2 * r * scenario.wall_stiffness * (2 * (1 + r) * (1 + r) + r * r);
