@@ -14,8 +14,8 @@ namespace {
 // packing with friction miss by up to 1 % of the work, at 0.2 by 0.03 % (R = 5).
 constexpr double auto_share = 0.2;
 
-// At the step at which stick forces chatter, energies miss by 18 % of the work; at 0.6 of it by 3 %,
-// at 0.4 by 0.1 % (R = 4, contacts of 16 Y, to phi = 0.3).
+// At the step at which stick forces chatter, energies miss by 18 % of the work; at 0.6 of it by
+// 3 %, at 0.4 by 0.1 % (R = 4, contacts of 16 Y, to phi = 0.3).
 constexpr double auto_stick_share = 0.4;
 
 constexpr double tangential_share = 2.0 / 3;
