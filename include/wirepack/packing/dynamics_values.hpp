@@ -17,9 +17,9 @@ struct DynamicsValues {
 };
 DynamicsValues dynamics_values(const Scenario& scenario);
 
-/// The law of friction of a scenario: tangential springs of two thirds of the normal stiffness (that
-/// of a round, smooth contact is between this and one: Mindlin 1949), damped by a twentieth of the
-/// critical value.
+/// The law of friction of a scenario: tangential springs of two thirds of the normal stiffness
+/// (that of a round, smooth contact is between this and one: Mindlin 1949), damped by a twentieth
+/// of the critical value.
 StickSlipLaw stick_slip_law(const Scenario& scenario);
 
 /// The longest time step that is accepted.
