@@ -45,9 +45,11 @@ int relax(const Hdf5Reader& result, const std::string& increment) {
   print("with friction", model, packed);
   print("relaxed", model, relaxed);
   const double move = (relaxed.nodes - packed.nodes).colwise().norm().maxCoeff();
+  const bool at_rest = found.report.end == EquilibriumEnd::converged;
+  const char* end = !at_rest ? "no equilibrium" : found.report.stable ? "a minimum" : "a saddle";
   std::printf("farthest move %.4g a, residual %.2g, %s\n", move / model.wire.radius,
-              found.report.residual, found.report.stable ? "a minimum" : "a saddle");
-  return found.report.end == EquilibriumEnd::converged && found.report.stable ? 0 : 3;
+              found.report.residual, end);
+  return at_rest && found.report.stable ? 0 : 3;
 }
 
 int report(const std::exception& error, int code) {

@@ -1,5 +1,6 @@
 #include "module.hpp"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <omp.h>
 #include <system_error>
@@ -50,7 +51,8 @@ std::vector<Quat> frames_of(const Quaternions& quaternion, Index edges) {
   std::vector<Quat> frames;
   for (Index j = 0; j < edges; ++j) {
     const Eigen::RowVector4d q = quaternion.row(j);
-    if (!(q.norm() > 0)) throw InvalidInput(fmt::format("quaternion[{}]: has no length", j));
+    if (!(q.norm() > 0 && std::isfinite(q.norm())))
+      throw InvalidInput(fmt::format("quaternion[{}]: has no length, or an infinite one", j));
     frames.push_back(Quat(q[0], q[1], q[2], q[3]).normalized());
   }
   return frames;

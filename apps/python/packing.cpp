@@ -213,6 +213,10 @@ std::tuple<py::dict, std::string> relaxed(const Configuration& config, const Pos
 
 double spool_energy(const Configuration& config, double density, double spacing) {
   const Scenario& scenario = config.scenario;
+  if (scenario.cavity.semi_axes)
+    throw InvalidInput("the model of a spool is that of a sphere; cavity.shape = \"ellipsoid\"");
+  if (!(spacing >= 2 && std::isfinite(spacing)))
+    throw InvalidInput(fmt::format("spacing = {}: must be finite and at least 2", spacing));
   const double a = scenario.wire.radius;
   const SpoolModel spool{scenario.cavity, a, stiffness(scenario.wire).bend, spacing * a};
   return spool.bend_energy(density);

@@ -47,6 +47,19 @@ WireForces forces_of(const PackingModel& model) {
   return forces;
 }
 
+// Nordsieck values come times powers of the step. A program that chose another step may have saved
+// them; its step was the time over the number of steps.
+void change_step(MotionProgress& motion, std::int64_t steps, double step) {
+  if (steps == 0) return;
+  const double ratio = step / (motion.time / static_cast<double>(steps));
+  if (std::abs(ratio - 1) < 1e-6) return;  // rounded
+  for (GearValues* values : {&motion.nodes, &motion.spins}) {
+    for (Index k = 1; k < values->cols(); ++k) {
+      values->col(k) *= std::pow(ratio, static_cast<double>(k));
+    }
+  }
+}
+
 // Inserts rows into Nordsieck values before the last `tail` rows.
 void insert_rows(GearValues& values, Index tail, const GearValues& rows) {
   GearValues grown(values.rows() + rows.rows(), 6);
@@ -185,7 +198,11 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
 }
 
 DynamicPacking::DynamicPacking(const Scenario& scenario, PackingProgress progress)
-    : model_(std::make_unique<Model>(scenario)), progress_(std::move(progress)) {}
+    : model_(std::make_unique<Model>(scenario)), progress_(std::move(progress)) {
+  if (progress_.motion) {
+    change_step(*progress_.motion, progress_.work.evaluations, model_->step);
+  }
+}
 
 DynamicPacking::~DynamicPacking() = default;
 DynamicPacking::DynamicPacking(DynamicPacking&&) noexcept = default;

@@ -16,7 +16,7 @@ constexpr double auto_share = 0.2;
 
 // At the step at which stick forces chatter, energies miss by 18 % of the work; at 0.6 of it by
 // 3 %, at 0.4 by 0.1 % (R = 4, contacts of 16 Y, to phi = 0.3).
-constexpr double auto_stick_share = 0.4;
+constexpr double auto_stick_share = 0.4, longest_stick_share = 0.6;
 
 constexpr double tangential_share = 2.0 / 3;
 constexpr double tangential_damping_ratio = 0.05;
@@ -87,7 +87,7 @@ DynamicsValues dynamics_values(const Scenario& scenario) {
 
 double longest_time_step(const Scenario& scenario) {
   return std::min(longest_share / highest_frequency_of(scenario),
-                  longest_step_of_sticking(scenario));
+                  longest_stick_share * longest_step_of_sticking(scenario));
 }
 
 }  // namespace wirepack

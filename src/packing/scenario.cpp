@@ -173,8 +173,8 @@ std::vector<std::string> problems(const Scenario& scenario) {
     std::ostringstream allowed;
     const double longest = longest_time_step(scenario);
     allowed << "must be positive and at most " << longest
-            << ": vibrations grow by themselves when it is longer than half of the inverse of the "
-               "highest frequency, and contacts that stick chatter";
+            << ": when it is longer than half of the inverse of the highest frequency, vibrations "
+               "grow by themselves, or contacts that stick chatter";
     require(positive(*scenario.dynamics.time_step) &&
                 *scenario.dynamics.time_step <= longest * (1 + round_off),
             "dynamics.time_step", *scenario.dynamics.time_step, allowed.str());
@@ -187,8 +187,11 @@ std::vector<std::string> problems(const Scenario& scenario) {
           "must be at least 1");
   require(m.memory >= 1 && m.memory <= 1000, "minimizer.memory", m.memory,
           "must be between 1 and 1000");
-  require(m.refactor_every >= 2, "minimizer.refactor_every", m.refactor_every,
-          "must be at least 2");
+  // fewer would end a round within its first line search
+  const bool compact = m.method == DescentMethod::compact_lbfgs;
+  require(m.refactor_every >= (compact ? 5 : 2), "minimizer.refactor_every", m.refactor_every,
+          compact ? "must be at least 5 with minimizer.method = \"compact_lbfgs\""
+                  : "must be at least 2");
   require(positive(m.shift), "minimizer.shift", m.shift, must_be_positive);
   const ImperfectionOptions& imperfection = scenario.imperfection;
   const auto up_to = [&](const char* key, double value, double largest, const char* unit) {

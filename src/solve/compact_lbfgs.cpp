@@ -14,7 +14,8 @@ namespace {
 // and the slope that is left is no steeper than this share of it.
 constexpr double least_decrease = 1e-4, most_slope = 0.9;
 constexpr int most_trials = 20;  // of one line search
-// A tile of twenty pairs fills a second-level cache. From the shared size on, threads pay.
+// A tile of twenty pairs takes 650 kB, about a second-level cache. From the shared size on, threads
+// pay.
 constexpr Index tile_width = 2048, shared_size = 4 * tile_width;
 
 // Vectors of one kind, in the columns of a matrix.

@@ -108,7 +108,7 @@ struct Descent {
   auto energy() { return EnergyTerms{stretch, joints, wall, contact}; }
   double shift() const { return scenario.minimizer.shift * stiffness(scenario.wire).bend; }
   Eigen::SparseMatrix<double> curvature() {
-    CurvatureModel model(chart, 0.7);  // as packings take it
+    CurvatureModel model(chart);
     energy().add_curvature(chart.reference(), model);
     return model.lower_triangle(shift(), shift());
   }

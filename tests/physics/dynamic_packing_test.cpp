@@ -100,6 +100,19 @@ TEST(DynamicPacking, ARunThatGoesOnFromASavedProgressEndsInTheSameBits) {
   EXPECT_EQ(a.motion->friction.wall.size(), b.motion->friction.wall.size());
 }
 
+TEST(DynamicPacking, ARunGoesOnWithAnotherStepAtTheSameVelocities) {
+  Scenario scenario = scenario_of(Setup::low_torsion, 5, Method::dynamic, 10);
+  DynamicPacking before(scenario);
+  run(before, [](const HistoryRow&) {});
+  scenario.stop.length = 10.5;
+  scenario.dynamics.time_step = dynamics_values(scenario).time_step / 3;
+  DynamicPacking after(scenario, before.progress());
+  const HistoryRow last = before.progress().last;
+  const HistoryRow next = after.advance().row.value();
+  EXPECT_NEAR(next.energy_kinetic / last.energy_kinetic, 1, 0.3);
+  EXPECT_LT(std::abs(next.audit_residual), 1e-3);
+}
+
 TEST(DynamicPacking, AStepBeyondStabilityIsRefusedWithAReason) {
   Scenario scenario = scenario_of(Setup::low_torsion, 5, Method::dynamic, 12);
   scenario.dynamics.time_step = 1 / dynamics_values(scenario).highest_frequency;

@@ -8,7 +8,8 @@ namespace wirepack {
 
 /// Feeds wire: the rest length of the inlet edge grows by `arc_length`. The last nodes slide along
 /// the wire, so that ten edges share the compression; the minimizer relaxes it. In the inlet edge
-/// alone it would hold more energy than all the rest. No node of a closed rod moves.
+/// alone it would hold more energy than all the rest. `arc_length` is positive and at most an edge
+/// length; nothing checks it. No node of a closed rod moves.
 void insert(RodState& state, double arc_length);
 
 /// Feeds one whole edge of wire (rest length edge_length) by sliding: a homogeneous wire that is

@@ -10,9 +10,9 @@ struct DynamicsValues {
   double damping;  ///< g; c a / (4 R^2) by default, with the speed of sound c = sqrt(Y / rho)
   double insertion_speed;  ///< c a / (40 R) by default: R / 40 while a bending wave crosses the
                            ///< cavity, which takes about R^2 / (c a)
-  double
-      time_step;  ///< by default 0.2 over the highest frequency, and 0.4 of the longest step that
-                  ///< follows a contact that sticks
+  /// By default 0.2 over the highest frequency, and 0.4 of the longest step that follows a contact
+  /// that sticks.
+  double time_step;
   double highest_frequency;  ///< an upper estimate for the modes of a packed wire
 };
 DynamicsValues dynamics_values(const Scenario& scenario);

@@ -16,12 +16,12 @@ using Objective = std::function<Evaluation(const Eigen::VectorXd& y, Eigen::Vect
 
 /// Two programs of one method. NLopt's (Nocedal, Luksan) goes through the pairs of L-BFGS one after
 /// the other. The compact form (Byrd, Nocedal and Schnabel, Math. Program. 63, 129, 1994, Eq. 3.1)
-/// has the same inverse Hessian as one product with all pairs, in vector registers and by threads.
+/// has the same inverse Hessian as a product with all pairs, in registers and, if long, threads.
 enum class DescentMethod { nlopt_lbfgs, compact_lbfgs };
 
 struct DescentOptions {
   int max_evaluations = 50;  ///< at least 1; NLopt may take one more in its line search
-  int memory = 20;           ///< vector pairs of L-BFGS; NLopt's own choice is 77 times slower
+  int memory = 20;  ///< pairs of vectors, at least 1; NLopt's own choice is 77 times slower
   DescentMethod method = DescentMethod::nlopt_lbfgs;
 };
 
