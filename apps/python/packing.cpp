@@ -186,6 +186,20 @@ std::string fault_of(const EquilibriumReport& report) {
   return report.stable ? "" : "no minimum: a saddle that could not be left";
 }
 
+// A wire can come to rest in a nozzle where it ends, with edges of this scenario.
+void require_in_nozzle(const PackingModel& model, const RodState& rod) {
+  const double off = (rod.nodes.rightCols<1>() - model.nozzle.position).norm();
+  if (!(off < 1e-6 * model.wire.radius)) {
+    throw InvalidInput(fmt::format("position: ends {} from the nozzle of this scenario", off));
+  }
+  const double longest = 1.6 * model.wire.edge_length;  // one of 1.5 has been split
+  if (rod.inlet_rest_length > longest) {
+    throw InvalidInput(fmt::format(
+        "inserted_length: leaves {} to the last edge, which has {} at most in this scenario",
+        rod.inlet_rest_length, longest));
+  }
+}
+
 // The minimum that a wire comes to from these positions without friction, and what kept it from
 // one: nothing, if it is at rest.
 std::tuple<py::dict, std::string> relaxed(const Configuration& config, const Positions& position,
@@ -201,6 +215,7 @@ std::tuple<py::dict, std::string> relaxed(const Configuration& config, const Pos
     PackingProgress progress;
     progress.rod = rod_in_nozzle(model, position, quaternion, inserted_length);
     carry_frames(progress.rod);
+    require_in_nozzle(model, progress.rod);
     const RodState before = progress.rod;
     const Equilibrium found = equilibrate(model, before, progress.rod);
     progress.last = row_of(model, progress.rod, found.observed);

@@ -173,8 +173,8 @@ std::vector<std::string> problems(const Scenario& scenario) {
     std::ostringstream allowed;
     const double longest = longest_time_step(scenario);
     allowed << "must be positive and at most " << longest
-            << ": when it is longer than half of the inverse of the highest frequency, vibrations "
-               "grow by themselves, or contacts that stick chatter";
+            << ": vibrations grow by themselves when it is longer than half of the inverse of the "
+               "highest frequency, and contacts that stick may ask for less";
     require(positive(*scenario.dynamics.time_step) &&
                 *scenario.dynamics.time_step <= longest * (1 + round_off),
             "dynamics.time_step", *scenario.dynamics.time_step, allowed.str());

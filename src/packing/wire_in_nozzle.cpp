@@ -1,6 +1,7 @@
 #include "wirepack/packing/wire_in_nozzle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 #include "wirepack/core/error.hpp"
@@ -8,29 +9,17 @@
 
 namespace wirepack {
 
-namespace {
-
-// An inlet edge of this length has been split, over the edge length, with room for rounding.
-constexpr double longest_inlet = 1.6;
-
-}  // namespace
-
 RodState wire_in_nozzle(const PackingModel& model, const Points& nodes,
                         std::span<const Quat> frames, double inserted_length) {
   const double edge = model.wire.edge_length;
   RodState rod = make_rod(nodes, model.wire, {.last_clamped = true});
   const double others = static_cast<double>(rod.edge_count() - 1) * edge;
   rod.inlet_rest_length = inserted_length - others;
-  const double longest = others + longest_inlet * edge;
-  if (!(inserted_length > others && inserted_length <= longest)) {
+  if (!(inserted_length > others && std::isfinite(inserted_length))) {
     throw InvalidInput(fmt::format(
-        "inserted_length = {}: must be above {}, the rest length of all edges but the last, and at "
-        "most {}",
-        inserted_length, others, longest));
-  }
-  const double off = (nodes.rightCols<1>() - model.nozzle.position).norm();
-  if (!(off < 1e-6 * model.wire.radius)) {
-    throw InvalidInput(fmt::format("position: ends {} from the nozzle of this scenario", off));
+        "inserted_length = {}: must be finite and above {}, the rest length of all edges but the "
+        "last",
+        inserted_length, others));
   }
   Quat& clamp = rod.frames.back();
   clamp = initial_wire(model.nozzle, model.wire, edge).frames.back();

@@ -234,9 +234,16 @@ class Energies(PackerTest):
 
     def test_what_comes_to_no_rest_is_an_error(self):
         packer = wirepack.Packer("run.toml", {"minimizer.max_evaluations": 1})
-        position = numpy.cumsum(numpy.tile([0, 0.1, 0.5], (6, 1)), axis=0)
+        position = numpy.cumsum(numpy.tile([0, 0.1, 0.5], (6, 1)), axis=0) - [0, 0.6, 0]
         with self.assertRaisesRegex(wirepack.NoEquilibrium, "no equilibrium: forces are .* times"):
             packer.relax(position)
+        with self.assertRaisesRegex(ValueError, "position: ends 0.6 from the nozzle"):
+            packer.relax(position + [0, 0.6, 0])
+        with self.assertRaisesRegex(ValueError, "inserted_length: leaves .* to the last edge"):
+            packer.relax(position, inserted_length=20)
+        for spacing in (0, 1.9, float("nan")):
+            with self.assertRaisesRegex(ValueError, "spacing = .*: must be finite and at least 2"):
+                packer.spool_energy(0.1, spacing)
 
     def test_gradients_are_those_of_differences(self):
         for packer in map(dense, SETUPS):  # off the equilibrium, where every term has a share

@@ -103,7 +103,9 @@ class Resume(ProgramTest):
         code, _, err = self.run_program("run", "run.toml", "-o", "killed.h5", "--resume")
         self.assertEqual(code, 0, err)
         self.assertEqual(differing(whole, killed), [])
-        self.assertEqual(self.names(), ["killed.h5", "run.toml", "whole.h5"])
+        # a run that is killed between its end and giving back its lock leaves that behind
+        left = [name for name in self.names() if name != "killed.h5.lock"]
+        self.assertEqual(left, ["killed.h5", "run.toml", "whole.h5"])
 
     def test_a_signal_saves_and_the_run_goes_on(self):
         for number in (signal.SIGTERM, signal.SIGINT):

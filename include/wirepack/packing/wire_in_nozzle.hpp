@@ -11,8 +11,8 @@ namespace wirepack {
 /// nozzle of a model. `frames` are those of its N - 1 edges; they lie along the edges, or are
 /// carried there (carry_frames()). Without any, no joint is twisted. A nozzle that blocks rotation
 /// has the frame of the start, a free one that of the last edge, untwisted. Throws InvalidInput
-/// unless there are as many frames, the wire ends in the nozzle and the last edge has a rest length
-/// of 1.6 edges at most; NumericalFailure as make_rod() does.
+/// unless there are as many frames and the last edge has a rest length; NumericalFailure as
+/// make_rod() does. Where the nodes end is not looked at.
 RodState wire_in_nozzle(const PackingModel& model, const Points& nodes,
                         std::span<const Quat> frames, double inserted_length);
 
