@@ -17,8 +17,8 @@ RodState wire_in_nozzle(const PackingModel& model, const Points& nodes,
   rod.inlet_rest_length = inserted_length - others;
   if (!(inserted_length > others && std::isfinite(inserted_length))) {
     throw InvalidInput(fmt::format(
-        "inserted_length = {}: must be finite and above {}, the rest length of all edges but the "
-        "last",
+        "inserted_length = {}: must be above {}, the rest length of all edges but the last, and "
+        "finite",
         inserted_length, others));
   }
   Quat& clamp = rod.frames.back();
