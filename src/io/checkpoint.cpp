@@ -199,6 +199,7 @@ auto read_from(hid_t group) {
 void write_motion(hid_t checkpoint, const MotionProgress& moving) {
   const Hdf5Handle motion = open_or_create_group(checkpoint, "motion");
   for_each_motion_scalar(moving, write_to(motion));
+  write_attribute(motion, "step", moving.step);
   replace_table(motion, "nodes", table_of(moving.nodes));
   replace_table(motion, "spins", table_of(moving.spins));
   replace_table(motion, "strand_anchors", table_of(moving.friction.strands));
@@ -209,6 +210,7 @@ MotionProgress read_motion(hid_t checkpoint) {
   const Hdf5Handle motion = open_group(checkpoint, "motion");
   MotionProgress moving;
   for_each_motion_scalar(moving, read_from(motion));
+  if (has_attribute(motion, "step")) moving.step = read_attribute<double>(motion, "step");
   moving.nodes = gear_values_of(read_table<double>(motion, "nodes", 6));
   moving.spins = gear_values_of(read_table<double>(motion, "spins", 6));
   moving.friction.strands = anchors_of(read_table<double>(motion, "strand_anchors", 7));

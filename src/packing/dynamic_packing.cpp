@@ -48,11 +48,14 @@ WireForces forces_of(const PackingModel& model) {
 }
 
 // Nordsieck values come times powers of the step. A program that chose another step may have saved
-// them; its step was the time over the number of steps.
+// them: of this many steps, all of one length where it has not saved that.
 void change_step(MotionProgress& motion, std::int64_t steps, double step) {
-  if (steps == 0) return;
-  const double ratio = step / (motion.time / static_cast<double>(steps));
-  if (std::abs(ratio - 1) < 1e-6) return;  // rounded
+  const double saved = motion.step > 0
+                           ? motion.step
+                           : motion.time / static_cast<double>(std::max<std::int64_t>(1, steps));
+  motion.step = step;
+  const double ratio = step / saved;
+  if (!(saved > 0) || std::abs(ratio - 1) < 1e-6) return;  // not begun, or rounded
   for (GearValues* values : {&motion.nodes, &motion.spins}) {
     for (Index k = 1; k < values->cols(); ++k) {
       values->col(k) *= std::pow(ratio, static_cast<double>(k));
@@ -185,7 +188,7 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
       -model_->values.insertion_speed * model_->nozzle.direction;
   set_velocities(state, velocity,
                  Eigen::VectorXd::Zero(static_cast<Index>(progress_.rod.frames.size())));
-  progress_.motion = MotionProgress{state.nodes, state.spins, 0, {}, {}};
+  progress_.motion = MotionProgress{state.nodes, state.spins, 0, {}, {}, model_->step};
   progress_.last = row_of(*model_, progress_.rod, observe(*model_, progress_.rod));
   EquationOfMotion motion(forces_of(*model_), s.density, held_by(model_->nozzle, progress_.rod),
                           progress_.rod);

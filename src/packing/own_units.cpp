@@ -41,6 +41,7 @@ void for_each_energy(WorkBalance& balance, F&& f) {
 void divide(MotionProgress& motion, const Units& units) {
   motion.nodes /= units.length;  // derivatives come times powers of the time step
   motion.time /= units.time();
+  motion.step /= units.time();
   for (std::vector<StickAnchor>* anchors : {&motion.friction.strands, &motion.friction.wall}) {
     for (StickAnchor& anchor : *anchors) {
       anchor.spring /= units.length;

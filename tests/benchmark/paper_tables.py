@@ -4,8 +4,7 @@
 WIREPACK=build/wirepack paper_tables.py SWEEP... prints one line of CSV for each series of runs that
 differ in their seeds alone: densities at which the force, as a mean over an edge after the first
 coil, reaches thresholds of F R^2/YI and of F/(Y a^2), with standard errors; and what the last
-frames are like. Ends with
-the machine and the commits of the programs that made the runs.
+frames are like. Ends with the machine and the commits of the programs that made the runs.
 """
 
 import csv

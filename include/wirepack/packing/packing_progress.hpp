@@ -28,6 +28,7 @@ struct MotionProgress {
   double time = 0;
   FrictionMemory friction;
   EnergyFlow flow;  ///< at the last step
+  double step = 0;  ///< of time, that of the GearValues; 0: unknown, one step all the time
 };
 
 /// Everything a run needs to continue, bit for bit, from the last accepted increment. Units are
