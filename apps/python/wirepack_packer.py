@@ -194,9 +194,9 @@ class Packer(wirepack.Run):
     def relax(self, position, quaternion=None, inserted_length=None):
         """The Frame of the minimum that a wire comes to without friction, at this length.
 
-        Arguments are those of energy(): a Frame of this or another run, or positions. The wire goes
-        downhill from there, and strands do not pass through each other. NoEquilibrium where that
-        ends before a minimum. The run stays as it is.
+        Arguments are those of energy(): a Frame or positions, which end in the nozzle of this
+        scenario. The wire goes downhill from there, and strands do not pass through each other.
+        NoEquilibrium where that ends before a minimum. The run stays as it is.
         """
         wire = self._wire(position, quaternion, inserted_length)
         values, fault = _wirepack._relaxed(self._configuration, *wire, self.threads)
