@@ -1,7 +1,9 @@
 #include "triangular_factor.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
+#include "wirepack/core/lanes.hpp"
 #include "wirepack/core/threads.hpp"
 
 namespace wirepack {
@@ -25,19 +27,19 @@ template <int K, class Entry>
 template <int K, class Entry>
 [[gnu::always_inline]] inline void subtract_products(const Entry* block, Index stride, Index rows,
                                                      const double* below, double* x) {
-  double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-#pragma omp simd reduction(+ : s0, s1, s2, s3)
-  for (Index r = 0; r < rows; ++r) {
-    const double b = below[r];
-    s0 += static_cast<double>(block[r]) * b;
-    if constexpr (K > 1) s1 += static_cast<double>(block[stride + r]) * b;
-    if constexpr (K > 2) s2 += static_cast<double>(block[2 * stride + r]) * b;
-    if constexpr (K > 3) s3 += static_cast<double>(block[3 * stride + r]) * b;
-  }
-  x[0] -= s0;
-  if constexpr (K > 1) x[1] -= s1;
-  if constexpr (K > 2) x[2] -= s2;
-  if constexpr (K > 3) x[3] -= s3;
+  LaneSum sums[K];
+  for_each_in_lanes(0, rows, [&]<class T>(Index r) {
+    const T b = load<T>(below + r);
+    for (int c = 0; c < K; ++c) {
+      const Entry* const entry = block + c * stride + r;
+      if constexpr (std::is_same_v<T, Lanes>) {
+        sums[c].add(lanes_of([&](int k) { return entry[k]; }) * b);
+      } else {
+        sums[c].add(static_cast<double>(*entry) * b);
+      }
+    }
+  });
+  for (int c = 0; c < K; ++c) x[c] -= sums[c].total();
 }
 
 // A triangle is solved number after number; a narrow one leaves the work to the rows below it.
@@ -200,12 +202,12 @@ void TriangularFactor<Entry>::backward(Part& part) {
       by_four(start, end, [&]<int K>(Index c) {
         subtract_products<K>(columns + c * height + end, height, w - end, x + end, x + c);
       });
-      for (Index c = end; c-- > start;) {
-        double sum = x[c];
-        for (Index r = c + 1; r < end; ++r) {
-          sum -= static_cast<double>(columns[c * height + r]) * x[r];
+      // a number that is known leaves all others at once: their sums do not wait for each other
+      for (Index r = end; r-- > start;) {
+        x[r] *= front.inverse[r];
+        for (Index c = start; c < r; ++c) {
+          x[c] -= static_cast<double>(columns[c * height + r]) * x[r];
         }
-        x[c] = sum * front.inverse[c];
       }
     }
   }
