@@ -1,10 +1,11 @@
 #include "wirepack/dynamics/dynamic_state.hpp"
 
 #include <cmath>
-#include <string>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
+#include "wirepack/rod/edge_directions.hpp"
 
 namespace wirepack {
 
@@ -43,15 +44,26 @@ double holonomy_of_step(const DynamicState& state, Index node, Index next) {
 
 // Rotations up to a factor, without trigonometry or roots: a step turns an edge by little. The
 // series of tan(angle / 2) misses by angle^7 / 8e4.
-Quat turned_about(const Vec3& axis, double angle) {
-  const double half = angle / 2, square = half * half;
-  const double tangent = half * (1 + square * (1.0 / 3 + square * 2 / 15));
-  return {1, tangent * axis.x(), tangent * axis.y(), tangent * axis.z()};
+template <class T>
+QuatOf<T> turned_about(const Triple<T>& axis, const T& angle) {
+  const T half = 0.5 * angle, square = half * half;
+  const Triple<T> v = (half * (1.0 + square * (1.0 / 3 + square * (2.0 / 15)))) * axis;
+  return {1.0, v.x, v.y, v.z};
 }
-Quat carried_to(const Vec3& to, const Vec3& from) {
-  const Vec3 v = from.cross(to);
-  return {1 + from.dot(to), v.x(), v.y(), v.z()};
+template <class T>
+QuatOf<T> carried_to(const Triple<T>& to, const Triple<T>& from) {
+  const Triple<T> v = cross(from, to);
+  return {1.0 + dot(from, to), v.x, v.y, v.z};
 }
+template <class T>
+QuatOf<T> normalized(const QuatOf<T>& q) {
+  using std::sqrt;
+  const T factor = 1.0 / sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  return {factor * q.w, factor * q.x, factor * q.y, factor * q.z};
+}
+
+bool all_positive(double length) { return length > 0; }
+bool all_positive(const Lanes& lengths) { return all_of(lengths > 0.0); }
 
 }  // namespace
 
@@ -64,22 +76,21 @@ void add_holonomy(DynamicState& state) {
 void follow_nodes(DynamicState& state) {
   RodState& rod = state.rod;
   rod.nodes.reshaped() = state.nodes.col(0);
-  const Index edges = rod.edge_count();
-  for (Index j = 0; j < edges; ++j) {
-    const Vec3 e = rod.nodes.col(next_node(rod, j)) - rod.nodes.col(j);
-    const double length = e.norm();
-    if (!(length > 0)) {
-      throw NumericalFailure("edge " + std::to_string(j) + " has no length, or is not finite");
-    }
-    const Vec3 t = e / length;
-    Quat& frame = rod.frames[static_cast<std::size_t>(j)];
-    frame = (turned_about(t, state.spins(j, 0)) * (carried_to(t, third_axis(frame)) * frame))
-                .normalized();
-  }
-  for (auto k = static_cast<std::size_t>(edges); k < rod.frames.size(); ++k) {
-    Quat& frame = rod.frames[k];
-    frame = (turned_about(third_axis(frame), state.spins(static_cast<Index>(k), 0)) * frame)
-                .normalized();
+  bool positive = true;
+  const auto turn = [&]<class T>(Index j, const Triple<T>& tangent, const QuatOf<T>& carried) {
+    const T angle = load<T>(state.spins.data() + j);
+    store_quats(normalized(turned_about(tangent, angle) * carried), rod.frames.data(), j);
+  };
+  for_each_edge_direction(rod, [&]<class T>(Index j, const EdgeDirection<T>& edge) {
+    positive = positive && all_positive(edge.length);
+    const QuatOf<T> frame = load_quats<T>(rod.frames.data(), j);
+    turn(j, edge.tangent, carried_to(edge.tangent, third_axis(frame)) * frame);
+  });
+  if (!positive) throw NumericalFailure("an edge has no length, or is not finite");
+  const auto frames = static_cast<Index>(rod.frames.size());
+  for (Index k = rod.edge_count(); k < frames; ++k) {
+    const QuatOf<double> frame = load_quats<double>(rod.frames.data(), k);
+    turn(k, third_axis(frame), frame);
   }
   state.spins.col(0).setZero();
 }
@@ -92,18 +103,18 @@ void set_motion(const DynamicState& state, WireMotion& motion) {
   motion.tangent.resize(3, edges);
   motion.length.resize(edges);
   motion.angular_velocity.resize(3, edges);
-  for (Index j = 0; j < edges; ++j) {
+  for_each_edge_direction(rod, [&]<class T>(Index j, const EdgeDirection<T>& edge) {
+    const Triple<T>& t = edge.tangent;
     const Index next = next_node(rod, j);
-    const Vec3 e = rod.nodes.col(next) - rod.nodes.col(j);
-    const double length = e.norm();
-    const Vec3 t = e / length;
-    motion.edge.col(j) = e;
-    motion.tangent.col(j) = t;
-    motion.length[j] = length;
-    motion.angular_velocity.col(j) =
-        t.cross(motion.velocity.col(next) - motion.velocity.col(j)) / length +
-        state.spin_rate(j) * t;
-  }
+    const Triple<T> apart =
+        load_columns<T>(motion.velocity, next) - load_columns<T>(motion.velocity, j);
+    const T spin_rate = load<T>(state.spins.col(1).data() + j) / T(state.step);
+    store_columns(edge.length * t, motion.edge, j);
+    store_columns(t, motion.tangent, j);
+    store(edge.length, motion.length.data() + j);
+    store_columns((1.0 / edge.length) * cross(t, apart) + spin_rate * t, motion.angular_velocity,
+                  j);
+  });
 }
 
 }  // namespace wirepack

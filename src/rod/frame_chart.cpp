@@ -7,6 +7,7 @@
 
 #include "wirepack/core/lanes.hpp"
 #include "wirepack/core/rotation.hpp"
+#include "wirepack/rod/edge_directions.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 
 namespace wirepack {
@@ -79,35 +80,6 @@ Eigen::VectorXd FrameChart::unknowns() const {
   return x;
 }
 
-namespace {
-
-template <class T>
-struct Edge {
-  Triple<T> tangent;
-  T length;
-};
-
-template <class T>
-Edge<T> edge_of(const Triple<T>& from, const Triple<T>& to) {
-  using std::sqrt;
-  const Triple<T> e = to - from;
-  const T length = sqrt(dot(e, e));
-  return {(1.0 / length) * e, length};
-}
-
-// Edges that join nodes j and j + 1 in lanes, then the edge that closes the wire; f(j, edge).
-template <class F>
-void for_each_edge(const RodState& state, F&& f) {
-  const Index last = state.node_count() - 1;
-  for_each_in_lanes(0, last, [&]<class T>(Index j) {
-    f(j, edge_of(load_columns<T>(state.nodes, j), load_columns<T>(state.nodes, j + 1)));
-  });
-  if (!state.ends.closed) return;
-  f(last, edge_of(load_columns<double>(state.nodes, last), load_columns<double>(state.nodes, 0)));
-}
-
-}  // namespace
-
 void FrameChart::scatter_angles(const Eigen::VectorXd& by_unknown,
                                 Eigen::VectorXd& by_frame) const {
   const auto frames = static_cast<Index>(angle_number_.size());
@@ -138,7 +110,7 @@ void FrameChart::set_frames(const Start& start, const Eigen::VectorXd& angle, Ro
   const auto turned = [&]<class T>(Index j, const Triple<T>& t0) {
     return rotation_about(t0, load<T>(angle.data() + j)) * load_quats<T>(start.frames.data(), j);
   };
-  for_each_edge(out, [&]<class T>(Index j, const Edge<T>& edge) {
+  for_each_edge_direction(out, [&]<class T>(Index j, const EdgeDirection<T>& edge) {
     const Triple<T> t0 = load_columns<T>(start.tangents, j);
     store_quats(transport(t0, edge.tangent) * turned(j, t0), out.frames.data(), j);
   });
@@ -173,7 +145,7 @@ void FrameChart::pull_back_frames(const Start& start, const RodState& state, con
   const Index frames = by_frame.cols();
   Points by_edge(3, edges);
   by_angle.resize(frames);
-  for_each_edge(state, [&]<class T>(Index j, const Edge<T>& edge) {
+  for_each_edge_direction(state, [&]<class T>(Index j, const EdgeDirection<T>& edge) {
     const Triple<T> m = load_columns<T>(by_frame, j);
     const Triple<T> t0 = load_columns<T>(start.tangents, j), t = edge.tangent;
     const T spin = dot(m, t);
