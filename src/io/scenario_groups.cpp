@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <set>
 #include <string>
 
 #include "wirepack/io/config_file.hpp"
@@ -16,14 +19,15 @@ std::string but_for_the_seed(Scenario scenario) {
   return resolved_config(scenario);
 }
 
-// The physics of a scenario in a cavity of R = 10 a.
+double rounded(double number) { return std::round(number * 1e9) / 1e9; }
+
+// The physics of a scenario in a cavity of R = 10 a, whatever the stiffness of contacts.
 std::string in_one_cavity(const Scenario& scenario) {
   constexpr double radius = 10;
   const Scenario own = in_own_units(scenario);
   Scenario same = default_scenario(own.setup, {radius}, 1, 1, own.method);
   same.wire.poisson_ratio = own.wire.poisson_ratio;
   same.wire.stretch_multiplier = own.wire.stretch_multiplier;
-  const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9; };
   // rest curvatures belong to the cavity, as 1 / (2 R) does
   for (Eigen::Index k = 0; k < 3; ++k) {
     same.wire.rest_darboux[k] = rounded(own.wire.rest_darboux[k] * own.cavity.radius) / radius;
@@ -33,16 +37,47 @@ std::string in_one_cavity(const Scenario& scenario) {
   // a nozzle at the wall is as far from the centre as the wire's axis gets
   const double to_one = (radius - 1) / (own.cavity.radius - 1);
   if (same.nozzle.position)
-    *same.nozzle.position = (to_one * *own.nozzle.position).unaryExpr(rounded);
+    *same.nozzle.position = (to_one * *own.nozzle.position).unaryExpr(&rounded);
   same.nozzle.depth = rounded(to_one * own.nozzle.depth);
   same.contact_enabled = own.contact_enabled;
-  same.contact.stiffness = own.contact.stiffness;
-  same.wall_stiffness = own.wall_stiffness;
   same.friction = own.friction;
   same.dynamics = own.dynamics;
   same.imperfection.natural_curvature = own.imperfection.natural_curvature;
   same.imperfection.nozzle_tilt = own.imperfection.nozzle_tilt;
   return but_for_the_seed(same);
+}
+
+ScenarioGroups equal_places(const std::vector<std::string>& names) {
+  ScenarioGroups groups;
+  std::map<std::string, std::size_t> group_of;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto [known, is_new] = group_of.emplace(names[k], groups.size());
+    if (is_new) groups.emplace_back();
+    groups[known->second].push_back(k);
+  }
+  return groups;
+}
+
+// A stiffness for each radius is a choice of method, as a mesh is. Two of them at one radius are
+// a comparison: then each stiffness is a series.
+ScenarioGroups by_stiffness_of_contacts(const std::vector<Scenario>& scenarios,
+                                        const std::vector<std::size_t>& members) {
+  std::vector<std::string> stiffnesses;
+  std::map<double, std::set<std::string>> at_radius;
+  bool is_comparison = false;
+  for (const std::size_t k : members) {
+    const Scenario own = in_own_units(scenarios[k]);
+    stiffnesses.push_back(fmt::format("{:.9g} {:.9g}", own.contact.stiffness, own.wall_stiffness));
+    std::set<std::string>& same = at_radius[rounded(own.cavity.radius)];
+    same.insert(stiffnesses.back());
+    is_comparison = is_comparison || same.size() > 1;
+  }
+  if (!is_comparison) return {members};
+  ScenarioGroups parts = equal_places(stiffnesses);
+  for (std::vector<std::size_t>& part : parts) {
+    for (std::size_t& place : part) place = members[place];
+  }
+  return parts;
 }
 
 }  // namespace
@@ -70,18 +105,16 @@ ScenarioGroups seed_groups(const std::vector<Scenario>& scenarios) {
 }
 
 ScenarioGroups radius_series(const std::vector<Scenario>& scenarios) {
+  std::vector<std::string> physics;
+  for (const Scenario& scenario : scenarios) physics.push_back(in_one_cavity(scenario));
   ScenarioGroups series;
-  std::vector<std::string> common;
-  for (std::size_t k = 0; k < scenarios.size(); ++k) {
-    const std::string of_this = in_one_cavity(scenarios[k]);
-    const auto known = std::find(common.begin(), common.end(), of_this);
-    const auto place = static_cast<std::size_t>(known - common.begin());
-    if (known == common.end()) {
-      common.push_back(of_this);
-      series.emplace_back();
+  for (const std::vector<std::size_t>& members : equal_places(physics)) {
+    for (std::vector<std::size_t>& part : by_stiffness_of_contacts(scenarios, members)) {
+      series.push_back(std::move(part));
     }
-    series[place].push_back(k);
   }
+  std::sort(series.begin(), series.end(),
+            [](const auto& one, const auto& other) { return one.front() < other.front(); });
   return series;
 }
 

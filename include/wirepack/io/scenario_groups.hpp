@@ -15,9 +15,10 @@ using ScenarioGroups = std::vector<std::vector<std::size_t>>;
 /// once more is no independent run and starts a group of its own.
 ScenarioGroups seed_groups(const std::vector<Scenario>& scenarios);
 
-/// Scenarios of one setup, method, wire, friction, and stiffness of contacts, in cavities of any
-/// radius: a law of a / R may be fitted to them. Seeds, meshes, increments, tolerances, limits, the
-/// offset of the nozzle, and units may differ.
+/// Scenarios of one setup, method, wire and friction, in cavities of any radius: a law of a / R may
+/// be fitted to them. Seeds, meshes, increments, tolerances, limits, the offset of the nozzle, and
+/// units may differ. So may the stiffness of contacts, if each radius has one; where a radius has
+/// two, each stiffness is a series.
 ScenarioGroups radius_series(const std::vector<Scenario>& scenarios);
 
 }  // namespace wirepack
