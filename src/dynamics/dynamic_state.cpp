@@ -1,6 +1,7 @@
 #include "wirepack/dynamics/dynamic_state.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "wirepack/core/error.hpp"
 #include "wirepack/core/lanes.hpp"
@@ -62,6 +63,15 @@ QuatOf<T> normalized(const QuatOf<T>& q) {
   return {factor * q.w, factor * q.x, factor * q.y, factor * q.z};
 }
 
+[[noreturn]] void name_edge_without_length(const RodState& rod) {
+  const auto has_length = [&](Index edge) {
+    return (rod.nodes.col(next_node(rod, edge)) - rod.nodes.col(edge)).norm() > 0;
+  };
+  Index edge = 0;
+  while (edge + 1 < rod.edge_count() && has_length(edge)) ++edge;
+  throw NumericalFailure("edge " + std::to_string(edge) + " has no length, or is not finite");
+}
+
 bool all_positive(double length) { return length > 0; }
 bool all_positive(const Lanes& lengths) { return all_of(lengths > 0.0); }
 
@@ -86,7 +96,7 @@ void follow_nodes(DynamicState& state) {
     const QuatOf<T> frame = load_quats<T>(rod.frames.data(), j);
     turn(j, edge.tangent, carried_to(edge.tangent, third_axis(frame)) * frame);
   });
-  if (!positive) throw NumericalFailure("an edge has no length, or is not finite");
+  if (!positive) name_edge_without_length(rod);
   const auto frames = static_cast<Index>(rod.frames.size());
   for (Index k = rod.edge_count(); k < frames; ++k) {
     const QuatOf<double> frame = load_quats<double>(rod.frames.data(), k);

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "wirepack/core/error.hpp"
 #include "wirepack/core/random.hpp"
 #include "wirepack/core/rotation.hpp"
 #include "wirepack/dynamics/damping.hpp"
@@ -239,6 +240,23 @@ TEST(RodMotion, AFallingWireEndsAtTheTerminalVelocityAndAMovingOneSlowsDown) {
   wire.advance(100);  // t = 2
   // the switch of gravity costs the scheme its order for a few steps
   EXPECT_NEAR(wire.state.velocity(2).y(), 0.4 * std::exp(-1), 1e-4);
+}
+
+TEST(RodMotion, an_edge_that_collapses_or_is_not_finite_is_named) {
+  RodParams params;
+  params.edge_length = 1;
+  Points nodes = Points::Zero(3, 8);
+  nodes.row(0) = Eigen::RowVectorXd::LinSpaced(8, 0, 7);
+  for (const double place : {nodes(0, 5), std::nan("")}) {
+    DynamicState state = at_rest(make_rod(nodes, params), 0.01);
+    state.nodes(18, 0) = place;  // x of node 6
+    try {
+      follow_nodes(state);
+      ADD_FAILURE() << "was taken";
+    } catch (const NumericalFailure& failure) {
+      EXPECT_STREQ(failure.what(), "edge 5 has no length, or is not finite");
+    }
+  }
 }
 
 }  // namespace
