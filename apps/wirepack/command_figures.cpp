@@ -25,7 +25,7 @@ struct Options {
   std::string folder;
   std::optional<double> density;
   std::optional<std::int64_t> frame;
-  double threshold = 10;
+  PhiMaxThreshold threshold;
   bool film = false, force = false;
   std::size_t film_frames = 200;
 
@@ -104,7 +104,7 @@ int draw(const Options& options) {
     std::erase(names, "phi_max");
     remove_figure(folder, "phi_max");
     print_lines(fmt::format("no phi_max: no run reaches F R^2 / YI = {} (--threshold)\n",
-                            options.threshold));
+                            options.threshold.scaled_force));
   }
   for (const std::string& name : names) print_lines((folder / (name + ".png")).string() + "\n");
   if (options.film) make_film(results.front(), options);
@@ -131,9 +131,17 @@ Command figures_command(CLI::App& program) {
   app->add_option("--frame", options->frame, "Shows the frame of this increment")
       ->type_name("INCREMENT")
       ->excludes(density);
-  app->add_option("--threshold", options->threshold, "F R^2 / YI at which phi_max is read")
+  app->add_option("--threshold", options->threshold.scaled_force,
+                  "F R^2 / YI at which phi_max is read")
       ->type_name("FORCE")
       ->check(number_range(1e-3, 1e6))
+      ->capture_default_str();
+  app->add_option(
+         "--mean-over", options->threshold.fed_over_radius,
+         "phi_max is read from the mean force over so many radii of the cavity of wire fed "
+         "last, or over an edge where that is longer")
+      ->type_name("RADII")
+      ->check(number_range(0, 1e3))
       ->capture_default_str();
   CLI::Option* film = app->add_flag(
       "--film", options->film,

@@ -39,13 +39,15 @@ std::vector<Scenario> scenarios_of(const std::vector<FigureRun>& runs,
   return scenarios;
 }
 
-std::optional<double> density_at(const FigureRun& run, double threshold) {
-  return density_at_force(mean_forces(run.scenario, run.history),
-                          threshold * units_of(run.scenario).scaled_force());
+std::optional<double> density_at(const FigureRun& run, const PhiMaxThreshold& threshold) {
+  const double fed = threshold.fed_over_radius * run.scenario.cavity.radius;
+  return density_at_force(mean_forces(run.scenario, run.history, fed),
+                          threshold.scaled_force * units_of(run.scenario).scaled_force());
 }
 
 std::vector<Reading> readings_of(const std::vector<FigureRun>& runs,
-                                 const std::vector<std::size_t>& series, double threshold) {
+                                 const std::vector<std::size_t>& series,
+                                 const PhiMaxThreshold& threshold) {
   std::vector<Reading> readings;
   for (const auto& group : seed_groups(scenarios_of(runs, series))) {
     const Scenario& scenario = runs[series[group.front()]].scenario;
@@ -60,7 +62,8 @@ std::vector<Reading> readings_of(const std::vector<FigureRun>& runs,
 }
 
 // Series of one setup are told apart by their first runs.
-std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs, double threshold) {
+std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs,
+                                      const PhiMaxThreshold& threshold) {
   std::vector<std::size_t> all(runs.size());
   for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
   const ScenarioGroups groups = radius_series(scenarios_of(runs, all));
@@ -153,6 +156,13 @@ std::string mass_inset(const CurveLayout& layout, std::size_t series) {
          "lc rgb '#888888'\n";
 }
 
+std::string density_label(const PhiMaxThreshold& threshold) {
+  const std::string label =
+      fmt::format("packing density at F R^2 / YI = {}", threshold.scaled_force);
+  if (threshold.fed_over_radius == 0) return label;
+  return label + fmt::format(", mean over {} R", threshold.fed_over_radius);
+}
+
 bool has_two_radii(const std::vector<ReadingSeries>& series) {
   return std::any_of(series.begin(), series.end(),
                      [](const ReadingSeries& s) { return s.readings.size() > 1; });
@@ -161,7 +171,7 @@ bool has_two_radii(const std::vector<ReadingSeries>& series) {
 }  // namespace
 
 PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
-                          double threshold) {
+                          const PhiMaxThreshold& threshold) {
   const std::vector<ReadingSeries> series = all_series(runs, threshold);
   if (series.empty()) return PhiMaxFigure::none;
   std::string data, points, laws;
@@ -179,9 +189,8 @@ PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector
   const bool whole = has_two_radii(series);
   const std::string commands =
       std::string(published_numbers) + "set multiplot\n" + layout.graph() +
-      fmt::format("set xlabel 'a / R'\nset ylabel 'packing density at F R^2 / YI = {}'\n",
-                  threshold) +
-      axes + fmt::format("set yrange [{:.3g}:1]\n", lowest_axis_density(series, whole)) + "plot " +
+      fmt::format("set xlabel 'a / R'\nset ylabel '{}'\n", density_label(threshold)) + axes +
+      fmt::format("set yrange [{:.3g}:1]\n", lowest_axis_density(series, whole)) + "plot " +
       points + published_curves + laws + "\n" + (whole ? mass_inset(layout, series.size()) : "") +
       "unset multiplot\nreset\n";
   draw_with_gnuplot(folder, {"phi_max", data, commands, layout.canvas(), {}});

@@ -10,9 +10,9 @@ constexpr double round_off = 1e-9;
 
 }  // namespace
 
-void note_force(double edge_length, const HistoryRow& row, std::vector<ForceReading>& recent) {
+void note_force(double fed, const HistoryRow& row, std::vector<ForceReading>& recent) {
   recent.push_back({row.inserted_length, row.force});
-  const double start = row.inserted_length - edge_length * (1 - round_off);
+  const double start = row.inserted_length - fed * (1 - round_off);
   const auto needed = std::find_if(recent.begin(), recent.end(), [&](const ForceReading& r) {
     return r.inserted_length > start;
   });
@@ -20,10 +20,10 @@ void note_force(double edge_length, const HistoryRow& row, std::vector<ForceRead
   if (needed != recent.begin()) recent.erase(recent.begin(), needed - 1);
 }
 
-std::optional<double> mean_force(double edge_length, std::span<const ForceReading> recent) {
+std::optional<double> mean_force(double fed, std::span<const ForceReading> recent) {
   if (recent.empty()) return std::nullopt;
-  const double end = recent.back().inserted_length, start = end - edge_length;
-  if (recent.front().inserted_length > start + round_off * edge_length) return std::nullopt;
+  const double end = recent.back().inserted_length, start = end - fed;
+  if (recent.front().inserted_length > start + round_off * fed) return std::nullopt;
   if (recent.size() == 2) return recent.back().force;  // a whole edge lies between them
   double sum = 0;
   for (std::size_t k = 1; k < recent.size(); ++k) {
@@ -35,18 +35,18 @@ std::optional<double> mean_force(double edge_length, std::span<const ForceReadin
     const double at_start = to.force + part * (from.force - to.force);
     sum += part * length * (at_start + to.force) / 2;
   }
-  return sum / edge_length;
+  return sum / fed;
 }
 
-std::vector<MeanForce> mean_forces(const Scenario& scenario,
-                                   const std::vector<HistoryRow>& history) {
-  const double edge_length = scenario.wire.edge_length;
+std::vector<MeanForce> mean_forces(const Scenario& scenario, const std::vector<HistoryRow>& history,
+                                   double fed) {
+  fed = std::max(fed, scenario.wire.edge_length);
   std::vector<MeanForce> means;
   std::vector<ForceReading> recent;
   for (const HistoryRow& row : history) {
     if (row.inserted_length <= first_coil_length(scenario.cavity)) continue;
-    note_force(edge_length, row, recent);
-    const std::optional<double> mean = mean_force(edge_length, recent);
+    note_force(fed, row, recent);
+    const std::optional<double> mean = mean_force(fed, recent);
     if (mean) means.push_back({row.packing_density, *mean});
   }
   return means;

@@ -221,15 +221,15 @@ class Figures(ProgramTest):
             )
 
     @staticmethod
-    def mean_force(run):
-        """Of each row over an edge length of 1; zero until an edge after the first coil."""
+    def mean_force(run, fed=1):
+        """Of each row over `fed` (an edge is 1 long); zero until so much after the first coil."""
         length, force = run["inserted_length"], run["scaled_force"]
         work = numpy.concatenate(
             ([0], numpy.cumsum(numpy.diff(length) * (force[1:] + force[:-1]) / 2))
         )
-        mean = work - numpy.interp(length - 1, length, work)
+        mean = (work - numpy.interp(length - fed, length, work)) / fed
         after = length[length > 2 * (1 + numpy.pi) * 4]
-        mean[length < after[0] + 1 - 1e-9] = 0
+        mean[length < after[0] + fed - 1e-9] = 0
         return mean
 
     def test_phi_max_is_the_first_density_after_the_first_coil_whose_mean_force_is_high(self):
@@ -250,6 +250,23 @@ class Figures(ProgramTest):
         self.assertEqual(code, 0, err)
         self.assertIn("no phi_max: no run reaches", out)
         self.assertFalse((self.folder / "none" / "phi_max.png").exists())
+
+    def test_phi_max_can_be_read_from_a_mean_over_more_wire(self):
+        run = self.make_packing("1.h5", 1)
+        mean = self.mean_force(run, fed=2)  # half the radius
+        highest = mean.argmax()
+        threshold = ("--threshold", str(0.9999 * mean[highest]))
+        code, _, err = self.figures("1.h5", "-o", "figures", *threshold, "--mean-over", "0.5")
+        self.assertEqual(code, 0, err)
+        density = self.blocks("phi_max")[0][0, 1]
+        self.assertAlmostEqual(density, run["packing_density"][highest], delta=1e-9)
+        self.assertGreater(self.mean_force(run).max(), mean[highest])
+        script = (self.folder / "figures" / "phi_max.gp").read_text()
+        self.assertIn("mean over 0.5 R", script)
+        code, _, err = self.figures("1.h5", "-o", "none", "--mean-over", "-1")
+        self.assertEqual(code, 2)
+        self.assertIn("--mean-over: must be between 0 and 1000, not -1", err)
+        self.assertFalse((self.folder / "none").exists())
 
     def test_phi_max_of_seeds_is_one_point_and_other_friction_another_series(self):
         curved = ("--set", "imperfection.natural_curvature=0.3")

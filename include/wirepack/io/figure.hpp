@@ -47,14 +47,21 @@ void draw_energy(const std::filesystem::path& folder, const std::vector<FigureRu
 /// energy nothing is drawn, and false is returned.
 bool draw_torsion(const std::filesystem::path& folder, const std::vector<FigureRun>& runs);
 
-/// phi_max: the packing density at which F R^2 / YI, as a mean over an edge length, first reaches
-/// `threshold` after the first coil, against a / R; log axes. With power laws fitted to the runs of
+/// How phi_max is read: the packing density at which F R^2 / YI first reaches a threshold after the
+/// first coil, as a mean over the wire fed last: an edge of it, or `fed_over_radius` times R where
+/// that is longer.
+struct PhiMaxThreshold {
+  double scaled_force = 10;
+  double fed_over_radius = 0;
+};
+
+/// phi_max against a / R; log axes. With power laws fitted to the runs of
 /// either setup, published numbers (data/published), and the mass of the wire against R in an
 /// inset: over that of a ball of its radius it is phi_max (R/a)^3. Where no run reaches the
 /// threshold nothing is drawn, where no series reaches it at two radii no inset.
 enum class PhiMaxFigure { none, without_inset, whole };
 PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
-                          double threshold);
+                          const PhiMaxThreshold& threshold);
 
 /// bend_distribution: how the bending energies of the shown frames' joints over their mean are
 /// spread, with the log-normal law of greatest likelihood, and the published one.

@@ -14,24 +14,26 @@ struct ForceReading {
   double inserted_length, force;
 };
 
-/// Adds the reading of a row and drops those that the mean over `edge_length` needs no more.
-void note_force(double edge_length, const HistoryRow& row, std::vector<ForceReading>& recent);
+/// Adds the reading of a row and drops those that the mean over `fed` needs no more.
+void note_force(double fed, const HistoryRow& row, std::vector<ForceReading>& recent);
 
-/// Mean injection force over the last `edge_length` of wire fed. The force alternates with the
-/// phase of the mesh, once an edge, and how high a peak is read depends on the increments; the mean
-/// is that of the wire. Trapezoids between readings; increments of a whole edge read one phase
-/// alone, at which the force is its mean: the reading itself. Nothing before so much has been fed.
-std::optional<double> mean_force(double edge_length, std::span<const ForceReading> recent);
+/// Mean injection force over the last length of wire `fed`, at least an edge. The force alternates
+/// with the phase of the mesh, once an edge, and how high a peak is read depends on the increments;
+/// the mean is that of the wire. Trapezoids between readings; where a whole edge was fed between
+/// two, they read one phase alone, at which the force is its mean: the reading itself. Nothing
+/// before so much has been fed.
+std::optional<double> mean_force(double fed, std::span<const ForceReading> recent);
 
 /// That mean at a packing density.
 struct MeanForce {
   double packing_density, force;
 };
 
-/// The means of a run after its first coil (first_coil_length): the straight wire before it buckles
-/// at a force that says nothing of the packing.
-std::vector<MeanForce> mean_forces(const Scenario& scenario,
-                                   const std::vector<HistoryRow>& history);
+/// The means over `fed`, or over an edge where that is longer, after a run's first coil
+/// (first_coil_length): the straight wire before it buckles at a force that says nothing of the
+/// packing.
+std::vector<MeanForce> mean_forces(const Scenario& scenario, const std::vector<HistoryRow>& history,
+                                   double fed = 0);
 
 /// Density at which the mean force first reaches `force`; nothing where it stays below.
 std::optional<double> density_at_force(const std::vector<MeanForce>& means, double force);
