@@ -58,25 +58,35 @@ std::vector<Ensemble> ensembles(const std::vector<AnalysedRun>& runs) {
 }
 
 std::vector<DensityLaw> density_laws(const std::vector<AnalysedRun>& runs) {
-  std::vector<DensityLaw> laws;
-  for (const std::vector<std::size_t>& series : radius_series(scenarios_of(runs))) {
-    std::set<double> levels;
-    for (const std::size_t k : series) {
-      for (const LevelDensity& l : runs[k].levels) {
-        if (l.scale == "scaled_force" && l.mean) levels.insert(l.level);
-      }
+  std::set<double> levels;
+  for (const AnalysedRun& run : runs) {
+    for (const LevelDensity& l : run.levels) {
+      if (l.scale == "scaled_force" && l.mean) levels.insert(l.level);
     }
-    for (const double level : levels) {
-      std::vector<double> ratio, density;
+  }
+  std::vector<DensityLaw> laws;
+  for (const double level : levels) {
+    std::vector<Scenario> scenarios;  // of the runs that reach the level
+    std::vector<const AnalysedRun*> reaching;
+    std::vector<double> density;
+    for (const AnalysedRun& run : runs) {
+      const LevelDensity* found = find_level(run, "scaled_force", level);
+      if (found == nullptr || !found->mean) continue;
+      scenarios.push_back(run.scenario);
+      reaching.push_back(&run);
+      density.push_back(*found->mean);
+    }
+    for (const std::vector<std::size_t>& series : radius_series(scenarios)) {
+      std::vector<double> ratio_of_series, density_of_series;
       for (const std::size_t k : series) {
-        const LevelDensity* found = find_level(runs[k], "scaled_force", level);
-        if (found == nullptr || !found->mean) continue;
-        ratio.push_back(runs[k].scenario.wire.radius / runs[k].scenario.cavity.radius);
-        density.push_back(*found->mean);
+        ratio_of_series.push_back(scenarios[k].wire.radius / scenarios[k].cavity.radius);
+        density_of_series.push_back(density[k]);
       }
-      if (ratio.size() < 3 || std::set<double>(ratio.begin(), ratio.end()).size() < 2) continue;
-      laws.push_back({runs[series.front()].scenario.setup, runs[series.front()].name, level,
-                      ratio.size(), fit_power_law(ratio, density)});
+      const std::set<double> ratios(ratio_of_series.begin(), ratio_of_series.end());
+      if (series.size() < 3 || ratios.size() < 2) continue;
+      const AnalysedRun& first = *reaching[series.front()];
+      laws.push_back({first.scenario.setup, first.name, level, series.size(),
+                      fit_power_law(ratio_of_series, density_of_series)});
     }
   }
   return laws;

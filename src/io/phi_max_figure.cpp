@@ -64,9 +64,14 @@ std::vector<Reading> readings_of(const std::vector<FigureRun>& runs,
 // Series of one setup are told apart by their first runs.
 std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs,
                                       const PhiMaxThreshold& threshold) {
-  std::vector<std::size_t> all(runs.size());
-  for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
-  const ScenarioGroups groups = radius_series(scenarios_of(runs, all));
+  std::vector<std::size_t> reading;  // a run that tells nothing here should split no series
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    if (density_at(runs[k], threshold)) reading.push_back(k);
+  }
+  ScenarioGroups groups = radius_series(scenarios_of(runs, reading));
+  for (std::vector<std::size_t>& group : groups) {
+    for (std::size_t& place : group) place = reading[place];
+  }
   std::map<Setup, int> uses;
   for (const auto& group : groups) ++uses[runs[group.front()].scenario.setup];
   std::vector<ReadingSeries> series;
@@ -74,8 +79,7 @@ std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs,
     const FigureRun& first = runs[group.front()];
     std::string name = setup_name(first.scenario.setup);
     if (uses[first.scenario.setup] > 1) name += fmt::format(", as {}", first.label);
-    std::vector<Reading> readings = readings_of(runs, group, threshold);
-    if (!readings.empty()) series.push_back({name, std::move(readings)});
+    series.push_back({name, readings_of(runs, group, threshold)});
   }
   return series;
 }

@@ -55,7 +55,7 @@ std::vector<MeanForce> mean_forces(const Scenario& scenario, const std::vector<H
 std::optional<double> density_at_force(const std::vector<MeanForce>& means, double force) {
   const auto reached = std::find_if(means.begin(), means.end(),
                                     [&](const MeanForce& mean) { return mean.force >= force; });
-  if (reached == means.end()) return std::nullopt;
+  if (reached == means.begin() || reached == means.end()) return std::nullopt;
   return reached->packing_density;
 }
 

@@ -35,7 +35,8 @@ struct MeanForce {
 std::vector<MeanForce> mean_forces(const Scenario& scenario, const std::vector<HistoryRow>& history,
                                    double fed = 0);
 
-/// Density at which the mean force first reaches `force`; nothing where it stays below.
+/// Density at which the mean force first reaches `force`. Nothing where it stays below, nor where
+/// it is above from the start: that density would be the first coil's, of whatever packing.
 std::optional<double> density_at_force(const std::vector<MeanForce>& means, double force);
 
 }  // namespace wirepack
