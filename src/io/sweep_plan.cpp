@@ -173,8 +173,8 @@ class Expansion {
     }
     if (!taken_.insert(name).second) {
       complain(
-          fmt::format("{}: two tasks would have the name {}; their values must differ in "
-                      "letters, digits or + - .",
+          fmt::format("{}: two tasks would have the name {}; give each value, or entry of a zip, "
+                      "once, and values that differ in letters, digits or + - .",
                       source_.string(), plain_text(name, longest_name)));
     }
   }
