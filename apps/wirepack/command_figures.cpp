@@ -103,8 +103,10 @@ int draw(const Options& options) {
   } else if (phi_max == PhiMaxFigure::none) {
     std::erase(names, "phi_max");
     remove_figure(folder, "phi_max");
-    print_lines(fmt::format("no phi_max: no run reaches F R^2 / YI = {} (--threshold)\n",
-                            options.threshold.scaled_force));
+    print_lines(
+        fmt::format("no phi_max: no run reaches F R^2 / YI = {} from below after its first coil "
+                    "(--threshold)\n",
+                    options.threshold.scaled_force));
   }
   for (const std::string& name : names) print_lines((folder / (name + ".png")).string() + "\n");
   if (options.film) make_film(results.front(), options);

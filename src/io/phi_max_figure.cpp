@@ -32,54 +32,55 @@ struct ReadingSeries {
   std::vector<Reading> readings;
 };
 
-std::vector<Scenario> scenarios_of(const std::vector<FigureRun>& runs,
-                                   const std::vector<std::size_t>& chosen) {
+// A run and its density at the threshold.
+struct RunReading {
+  const FigureRun* run;
+  double density;
+};
+
+std::vector<Scenario> scenarios_of(const std::vector<RunReading>& runs) {
   std::vector<Scenario> scenarios;
-  for (const std::size_t k : chosen) scenarios.push_back(runs[k].scenario);
+  for (const RunReading& reading : runs) scenarios.push_back(reading.run->scenario);
   return scenarios;
 }
 
-std::optional<double> density_at(const FigureRun& run, const PhiMaxThreshold& threshold) {
-  const double fed = threshold.fed_over_radius * run.scenario.cavity.radius;
-  return density_at_force(mean_forces(run.scenario, run.history, fed),
-                          threshold.scaled_force * units_of(run.scenario).scaled_force());
+// Of the runs that have one: others tell nothing here, and should split no series.
+std::vector<RunReading> readings_of(const std::vector<FigureRun>& runs,
+                                    const PhiMaxThreshold& threshold) {
+  std::vector<RunReading> readings;
+  for (const FigureRun& run : runs) {
+    const double fed = threshold.fed_over_radius * run.scenario.cavity.radius;
+    const double force = threshold.scaled_force * units_of(run.scenario).scaled_force();
+    const auto density = density_at_force(mean_forces(run.scenario, run.history, fed), force);
+    if (density) readings.push_back({&run, *density});
+  }
+  return readings;
 }
 
-std::vector<Reading> readings_of(const std::vector<FigureRun>& runs,
-                                 const std::vector<std::size_t>& series,
-                                 const PhiMaxThreshold& threshold) {
+std::vector<Reading> by_seeds(const std::vector<RunReading>& series) {
   std::vector<Reading> readings;
-  for (const auto& group : seed_groups(scenarios_of(runs, series))) {
-    const Scenario& scenario = runs[series[group.front()]].scenario;
+  for (const auto& group : seed_groups(scenarios_of(series))) {
+    const Scenario& scenario = series[group.front()].run->scenario;
     Reading reading{scenario.wire.radius / scenario.cavity.radius, {}};
-    for (const std::size_t member : group) {
-      const auto density = density_at(runs[series[member]], threshold);
-      if (density) reading.densities.push_back(*density);
-    }
-    if (!reading.densities.empty()) readings.push_back(reading);
+    for (const std::size_t member : group) reading.densities.push_back(series[member].density);
+    readings.push_back(reading);
   }
   return readings;
 }
 
 // Series of one setup are told apart by their first runs.
-std::vector<ReadingSeries> all_series(const std::vector<FigureRun>& runs,
-                                      const PhiMaxThreshold& threshold) {
-  std::vector<std::size_t> reading;  // a run that tells nothing here should split no series
-  for (std::size_t k = 0; k < runs.size(); ++k) {
-    if (density_at(runs[k], threshold)) reading.push_back(k);
-  }
-  ScenarioGroups groups = radius_series(scenarios_of(runs, reading));
-  for (std::vector<std::size_t>& group : groups) {
-    for (std::size_t& place : group) place = reading[place];
-  }
+std::vector<ReadingSeries> all_series(const std::vector<RunReading>& runs) {
+  const ScenarioGroups groups = radius_series(scenarios_of(runs));
   std::map<Setup, int> uses;
-  for (const auto& group : groups) ++uses[runs[group.front()].scenario.setup];
+  for (const auto& group : groups) ++uses[runs[group.front()].run->scenario.setup];
   std::vector<ReadingSeries> series;
   for (const auto& group : groups) {
-    const FigureRun& first = runs[group.front()];
+    const FigureRun& first = *runs[group.front()].run;
     std::string name = setup_name(first.scenario.setup);
     if (uses[first.scenario.setup] > 1) name += fmt::format(", as {}", first.label);
-    series.push_back({name, readings_of(runs, group, threshold)});
+    std::vector<RunReading> members;
+    for (const std::size_t k : group) members.push_back(runs[k]);
+    series.push_back({name, by_seeds(members)});
   }
   return series;
 }
@@ -176,7 +177,7 @@ bool has_two_radii(const std::vector<ReadingSeries>& series) {
 
 PhiMaxFigure draw_phi_max(const std::filesystem::path& folder, const std::vector<FigureRun>& runs,
                           const PhiMaxThreshold& threshold) {
-  const std::vector<ReadingSeries> series = all_series(runs, threshold);
+  const std::vector<ReadingSeries> series = all_series(readings_of(runs, threshold));
   if (series.empty()) return PhiMaxFigure::none;
   std::string data, points, laws;
   std::size_t key_lines = series.size() + 2;
