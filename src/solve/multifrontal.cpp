@@ -59,17 +59,18 @@ OrderedLower<Entry> in_order(const Eigen::SparseMatrix<double>& lower,
 template <class Entry>
 class Elimination {
  public:
+  // `factor`: where columns are kept; null if pivots are all that is asked for.
   Elimination(const EliminationTree& tree, const OrderedLower<Entry>& lower,
-              FrontColumns<Entry>& factor)
-      : tree_(&tree), lower_(&lower), factor_(&factor), updates_(tree.fronts.size()) {}
+              FrontColumns<Entry>* factor)
+      : tree_(&tree), lower_(&lower), factor_(factor), updates_(tree.fronts.size()) {}
 
   // Whether all pivots are positive.
   bool run() {
     std::atomic<bool> positive = true;
     const auto take = [&](const std::vector<int>& fronts) {
-      std::vector<int> slots(tree_->order.size());
+      Scratch scratch{std::vector<int>(tree_->order.size()), {}};
       for (const int f : fronts) {
-        if (positive && !eliminate(f, slots)) positive = false;
+        if (positive && !eliminate(f, scratch)) positive = false;
       }
     };
     for_each_tile(static_cast<Index>(tree_->subtrees.size()), 1, true,
@@ -82,14 +83,22 @@ class Elimination {
   using Matrix = Eigen::Matrix<Entry, Eigen::Dynamic, Eigen::Dynamic>;
   using Block = Eigen::Map<Matrix, 0, Eigen::OuterStride<>>;
 
-  // Whether all pivots of a front are positive. `slots`: scratch.
-  bool eliminate(int number, std::vector<int>& slots) {
+  // Of a thread.
+  struct Scratch {
+    std::vector<int> slots;  // of each row of a front
+    Matrix columns;          // of a front, where they are not kept
+  };
+
+  // Whether all pivots of a front are positive.
+  bool eliminate(int number, Scratch& scratch) {
     const auto f = static_cast<std::size_t>(number);
     const Front& front = tree_->fronts[f];
     const Index w = front.columns, m = static_cast<Index>(front.rows.size());
-    Entry* const columns = factor_->entries.data() + factor_->start[f];
+    if (!factor_) scratch.columns.resize(w + m, w);
+    Entry* const columns =
+        factor_ ? factor_->entries.data() + factor_->start[f] : scratch.columns.data();
     updates_[f].resize(m, m);
-    assemble(f, columns, updates_[f].data(), slots);
+    assemble(f, columns, updates_[f].data(), scratch.slots);
     return eliminate_columns(w, m, columns, updates_[f]);
   }
 
@@ -188,13 +197,23 @@ std::optional<FrontColumns<Entry>> factored(const EliminationTree& tree,
   }
   factor.entries.resize(size);
   const OrderedLower<Entry> ordered = in_order<Entry>(lower, tree.order);
-  if (!Elimination<Entry>(tree, ordered, factor).run()) return std::nullopt;
+  if (!Elimination<Entry>(tree, ordered, &factor).run()) return std::nullopt;
   return factor;
+}
+
+template <class Entry>
+bool has_positive_pivots(const EliminationTree& tree, const Eigen::SparseMatrix<double>& lower) {
+  const OrderedLower<Entry> ordered = in_order<Entry>(lower, tree.order);
+  return Elimination<Entry>(tree, ordered, nullptr).run();
 }
 
 template std::optional<FrontColumns<float>> factored(const EliminationTree&,
                                                      const Eigen::SparseMatrix<double>&);
 template std::optional<FrontColumns<double>> factored(const EliminationTree&,
                                                       const Eigen::SparseMatrix<double>&);
+template bool has_positive_pivots<float>(const EliminationTree&,
+                                         const Eigen::SparseMatrix<double>&);
+template bool has_positive_pivots<double>(const EliminationTree&,
+                                          const Eigen::SparseMatrix<double>&);
 
 }  // namespace wirepack

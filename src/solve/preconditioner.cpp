@@ -20,6 +20,12 @@ bool single_precision_serves(const Eigen::SparseMatrix<double>& lower, double sm
 
 }  // namespace
 
+bool is_positive_definite(const Eigen::SparseMatrix<double>& lower, double smallest) {
+  const EliminationTree tree = elimination_tree(lower);
+  return single_precision_serves(lower, smallest) ? has_positive_pivots<float>(tree, lower)
+                                                  : has_positive_pivots<double>(tree, lower);
+}
+
 struct Preconditioner::Factor {
   std::vector<int> order;  // place in the elimination -> unknown
   std::variant<TriangularFactor<float>, TriangularFactor<double>> triangle;

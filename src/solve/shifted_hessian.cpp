@@ -44,4 +44,10 @@ std::optional<Preconditioner> factored_hessian(const FrameChart& chart,
   return Preconditioner::factored(lower, typical_shift(chart, lower, options), definiteness);
 }
 
+bool is_positive_definite(const FrameChart& chart, const Eigen::SparseMatrix<double>& lower,
+                          const EquilibriumOptions& options, SolverWork& work) {
+  ++work.factorizations;
+  return is_positive_definite(lower, typical_shift(chart, lower, options));
+}
+
 }  // namespace wirepack

@@ -151,7 +151,7 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
   work.list_builds += energy.prepare(chart.reference());
   Stability result;
   const Sparse exact = shifted_hessian(chart, energy, small_shift, 1);
-  if (!factored_hessian(chart, exact, small_shift, false, work)) {
+  if (!is_positive_definite(chart, exact, small_shift, work)) {
     const CurvatureMode softest = softest_mode(chart, exact, energy, options, work);
     result.lowest_eigenvalue = softest.eigenvalue;
     result.stable = softest.eigenvalue > unstable_below ||

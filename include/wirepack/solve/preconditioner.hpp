@@ -8,6 +8,10 @@
 
 namespace wirepack {
 
+/// Whether all pivots of a symmetric matrix are positive, `lower` and `smallest` as in
+/// Preconditioner::factored for a matrix of unknown definiteness; the same answer in less memory.
+bool is_positive_definite(const Eigen::SparseMatrix<double>& lower, double smallest);
+
 /// Cholesky factor P = L L^T (up to a fill-reducing permutation) of a curvature model, as a change
 /// of variables x = x0 + L^-T y: minimizing over y with the gradient L^-1 g is the preconditioned
 /// minimization over x. Factored front by front, in single precision where that serves, with the

@@ -133,6 +133,23 @@ TEST(Preconditioner, MatrixThatIsNotPositiveDefiniteHasNone) {
   }
 }
 
+TEST(Preconditioner, AMatrixIsPositiveDefiniteWhereItHasAFactor) {
+  const Sparse lower = packing_matrix(200, 300, 1e-3, 3);
+  const Eigen::MatrixXd whole = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+  const double lowest = whole.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
+  Sparse shifted = lower;
+  for (const double smallest : {1e-1, 1e-12}) {
+    for (const double share : {0.9, 1.1}) {
+      for (Index k = 0; k < lower.rows(); ++k) {
+        shifted.coeffRef(k, k) = lower.coeff(k, k) - share * lowest;
+      }
+      EXPECT_EQ(is_positive_definite(shifted, smallest), share < 1) << smallest;
+      EXPECT_EQ(Preconditioner::factored(shifted, smallest, Definiteness::unknown).has_value(),
+                share < 1);
+    }
+  }
+}
+
 // Rounding in single precision can make pivots negative that are not.
 TEST(Preconditioner, DoublePrecisionServesWhereSingleFindsNoPositivePivot) {
   // the end of a chain without squares of its own: nothing but a billionth holds it
