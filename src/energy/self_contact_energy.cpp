@@ -68,7 +68,10 @@ void SelfContactEnergy::add_curvature(const RodState& state, CurvatureModel& mod
   LineKernel wide = kernel_;
   wide.touching_distance += nearly_touching * kernel_.touching_distance / 2;
   add_contact_energy(wide, state, list_.fours(), unused, touching);
+  // Second derivatives of a gap are no model of a contact to come: they would have its parts in the
+  // overlap, which is below zero.
   const auto exactness_of = [&](const SelfContact& touch) {
+    if (touch.line.distance >= kernel_.touching_distance) return 0.0;
     const auto ends = [&](Index edge) {
       const Line line = line_of(state, edge);
       return line.ends_before || line.ends_after;

@@ -18,6 +18,9 @@ namespace {
 // An eigenvalue below this is one of a saddle: a load that is a hundredth of a per cent too high.
 // Rigid motions that cost nothing have eigenvalues of zero, but for rounding.
 constexpr double unstable_below = -1e-4;
+// Exactness of the model that is positive definite if and only if no eigenvalue is below that: it
+// is (H + 1e-4 P) / (1 + 1e-4).
+constexpr double exactness_of_test = 1 / (1 - unstable_below);
 // Of the shift that preconditioners have, which is larger than the curvature of slow bending modes.
 constexpr double shift_share = 1e-4;
 constexpr int lanczos_steps = 40;
@@ -150,8 +153,9 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
   const FrameChart chart(state, held);
   work.list_builds += energy.prepare(chart.reference());
   Stability result;
-  const Sparse exact = shifted_hessian(chart, energy, small_shift, 1);
-  if (!is_positive_definite(chart, exact, small_shift, work)) {
+  if (!is_positive_definite(chart, shifted_hessian(chart, energy, small_shift, exactness_of_test),
+                            small_shift, work)) {
+    const Sparse exact = shifted_hessian(chart, energy, small_shift, 1);
     const CurvatureMode softest = softest_mode(chart, exact, energy, options, work);
     result.lowest_eigenvalue = softest.eigenvalue;
     result.stable = softest.eigenvalue > unstable_below ||

@@ -25,7 +25,7 @@ CurvatureMode softest_mode(const RodState& state, const HeldUnknowns& held,
 /// Whether an equilibrium is a minimum. The eigenvalue is that of the softest mode.
 struct Stability {
   bool stable = true;
-  double lowest_eigenvalue = 0;  ///< computed only where the Hessian is not positive definite
+  double lowest_eigenvalue = 0;  ///< computed only where it is below that of a minimum
   Eigen::VectorXd direction;  ///< its eigenvector, by the unknowns of a FrameChart; empty if stable
 };
 
@@ -33,7 +33,8 @@ struct Stability {
 /// the other.
 inline constexpr int most_saddles = 6;
 
-/// Tells a minimum from a saddle: one factorization of the exact Hessian, and where that meets a
+/// Tells a minimum from a saddle, a load that is a hundredth of a per cent too high from one that is
+/// not: one factorization of the Hessian with 1e-4 of its Gauss-Newton part, and where that meets a
 /// pivot that is not positive, the softest mode.
 Stability stability_of(const RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
                        const EquilibriumOptions& options, SolverWork& work);
