@@ -45,7 +45,12 @@ EquilibriumOptions options_of(const Scenario& scenario) {
   EquilibriumOptions options =
       equilibrium_options(stiffness(wire).bend, wire.radius, force, scenario.minimizer);
   // two strands that close in on each other by 0.8 a each still touch on their old sides
-  options.guard = {0.8 * wire.radius, 10 * wire.youngs_modulus * wire.edge_length, nullptr};
+  options.guard.distance = 0.8 * wire.radius;
+  options.guard.stiffness = 10 * wire.youngs_modulus * wire.edge_length;
+  // friction asks for the way, not only where it leads
+  if (scenario.friction.model == FrictionModel::none) {
+    options.guard.snap_distance = 8 * options.guard.distance;
+  }
   if (scenario.contact_enabled) {
     const Index separation = first_touching_neighbor(
         {2 * wire.radius, wire.edge_length, scenario.contact.excluded_arc_length});

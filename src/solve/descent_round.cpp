@@ -115,9 +115,9 @@ class Heights {
 
 }  // namespace
 
-double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const EnergyTerms& energy,
-                         const EquilibriumOptions& options, double guard_distance,
-                         int max_evaluations, SolverWork& work) {
+RoundReport descend_one_round(LowestPoint& lowest, const HeldUnknowns& held,
+                              const EnergyTerms& energy, const EquilibriumOptions& options,
+                              double guard_distance, int max_evaluations, SolverWork& work) {
   Stopwatch watch;
   const FrameChart chart(lowest.state, held);
   work.list_builds += energy.prepare(chart.reference());
@@ -137,6 +137,7 @@ double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const En
   // of a round's first gradient 1e3, so that a round can gain eleven decades.
   double unit = 0;
   double way = 0;  // longest move across the wire at the lowest point
+  bool at_guard = false;
   const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& by_y) {
     watch.lap(work.descent_seconds);
     preconditioner.to_step(y, step);
@@ -163,7 +164,7 @@ double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const En
       }
     }
     const bool at_rest = residual <= 1 && height == heights.lowest();
-    const bool at_guard = guard.energy > 0 && way >= nearly_all * guard_distance;
+    at_guard = guard.energy > 0 && way >= nearly_all * guard_distance;
     watch.lap(work.chart_seconds);
     preconditioner.to_gradient(by_step, by_y);
     watch.lap(work.solve_seconds);
@@ -178,7 +179,7 @@ double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const En
   work.evaluations += report.evaluations;
   if (!heights.known()) throw NumericalFailure("the start has no finite energy");
   if (!held.frames_follow) carry_frames(lowest.state);
-  return -heights.lowest();
+  return {-heights.lowest(), at_guard};
 }
 
 }  // namespace wirepack

@@ -13,11 +13,15 @@ struct LowestPoint {
   double inlet_length_force = 0;
 };
 
+struct RoundReport {
+  double gain;    // by how much the energy has decreased, the guard's included
+  bool at_guard;  // it ended because a node has come near the guard's distance
+};
+
 // Descends from `lowest` with one chart, one factor and one memory of L-BFGS, and sets it to the
-// lowest point found. Returns by how much the energy has decreased, the guard's included. Throws
-// NumericalFailure if the start has no finite energy.
-double descend_one_round(LowestPoint& lowest, const HeldUnknowns& held, const EnergyTerms& energy,
-                         const EquilibriumOptions& options, double guard_distance,
-                         int max_evaluations, SolverWork& work);
+// lowest point found. Throws NumericalFailure if the start has no finite energy.
+RoundReport descend_one_round(LowestPoint& lowest, const HeldUnknowns& held,
+                              const EnergyTerms& energy, const EquilibriumOptions& options,
+                              double guard_distance, int max_evaluations, SolverWork& work);
 
 }  // namespace wirepack

@@ -15,6 +15,9 @@ namespace {
 // A round in which strands pass is repeated with half the guard's distance, down to this part of
 // it.
 constexpr double smallest_distance = 1.0 / 16;
+// A snap can lead through hundreds of such rounds. After a few in a row that end at the guard, each
+// further one may go twice as far, as long as none is taken back.
+constexpr int rounds_of_a_snap = 4;
 // The search ends after so many rounds in a row without gain. A round gains if it brings down the
 // residual by a tenth, or the energy by more than its round-off.
 constexpr int most_fruitless_rounds = 3;
@@ -24,7 +27,11 @@ class Search {
  public:
   Search(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
          const EquilibriumOptions& options)
-      : held_(held), energy_(energy), options_(options), guard_distance_(options.guard.distance) {
+      : held_(held),
+        energy_(energy),
+        options_(options),
+        guard_distance_(options.guard.distance),
+        longest_distance_(options.guard.snap_distance) {
     lowest_.state = std::move(state);
   }
 
@@ -32,12 +39,12 @@ class Search {
   EquilibriumEnd run() {
     while (true) {
       const LowestPoint before = lowest_;
-      const double gain = descend();
+      const auto [gain, at_guard] = descend();
       if (!admissible(before.state)) {
         if (const auto end = take_back(before)) return *end;
         continue;
       }
-      guard_distance_ = options_.guard.distance;
+      set_guard_distance(at_guard);
       if (lowest_.residual <= 1 && lowest_.guard_energy == 0) return EquilibriumEnd::converged;
       if (spent()) return EquilibriumEnd::evaluation_limit;
       const bool gained = gain > energy_gain * std::abs(double(lowest_.energy)) ||
@@ -51,10 +58,18 @@ class Search {
   const SolverWork& work() const { return work_; }
 
  private:
-  double descend() {
+  RoundReport descend() {
     const auto left = static_cast<int>(options_.method.max_evaluations - work_.evaluations);
     return descend_one_round(lowest_, held_, energy_, options_, guard_distance_,
                              std::min(options_.method.refactor_every, left), work_);
+  }
+  // After a round that is kept.
+  void set_guard_distance(bool at_guard) {
+    rounds_at_guard_ = at_guard ? rounds_at_guard_ + 1 : 0;
+    const double shortest = options_.guard.distance;
+    guard_distance_ = rounds_at_guard_ < rounds_of_a_snap
+                          ? shortest
+                          : std::max(shortest, std::min(2 * guard_distance_, longest_distance_));
   }
   // Goes back to the start of the round and halves the guard's distance. Returns the end of the
   // search if that is too short, or if the evaluations are used up.
@@ -62,6 +77,7 @@ class Search {
     lowest_ = before;
     ++work_.rounds_taken_back;
     guard_distance_ /= 2;
+    longest_distance_ = guard_distance_;
     if (guard_distance_ < smallest_distance * options_.guard.distance) {
       return EquilibriumEnd::inadmissible;
     }
@@ -82,6 +98,8 @@ class Search {
   const EquilibriumOptions& options_;
   LowestPoint lowest_;
   double guard_distance_;
+  double longest_distance_;
+  int rounds_at_guard_ = 0;
   int fruitless_rounds_ = 0;
   SolverWork work_;
 };

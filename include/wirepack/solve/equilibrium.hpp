@@ -22,13 +22,15 @@ struct MinimizerOptions {
 /// Keeps strands from jumping through each other on the way down. Within one round (one factor, one
 /// memory of L-BFGS), a spring of this stiffness pushes back a node that moves across its own wire
 /// by more than `distance`. A round that has come near that ends, so a long way takes several
-/// rounds. Equilibrium is judged without the springs. A round that is not admissible is taken back
-/// and repeated with half the distance, down to a sixteenth.
+/// rounds; from the fifth in a row on the distance doubles, up to `snap_distance`. Equilibrium is
+/// judged without the springs. A round that is not admissible is taken back and repeated with half
+/// the distance, down to a sixteenth.
 struct MoveGuard {
   double distance = 0;   ///< 0: no guard
   double stiffness = 0;  ///< [force / length]
   /// True if the wire can have gone straight from one state to the other; without it always.
   std::function<bool(const RodState& before, const RodState& after)> admissible = nullptr;
+  double snap_distance = 0;  ///< 0: the distance never grows
 };
 
 /// Tolerances of an equilibrium and how it is looked for, in the units of the energy.

@@ -218,6 +218,37 @@ TEST(Hessian, OfContactIsExactAtAnyAngle) {
   }
 }
 
+// The second derivative of a gap has parts in the overlap, which is negative there.
+TEST(Hessian, of_strands_that_nearly_touch_is_never_negative) {
+  for (const double angle : {0.0, 0.3, 1.5}) {
+    const RodState state = pressed_legs(angle);
+    const auto contact_of = [&](double radius) {
+      RodParams params;
+      params.radius = radius;
+      SelfContactEnergy energy(params, ContactParams{});
+      energy.prepare(state);
+      return energy;
+    };
+    const auto touches = [&](double radius) {
+      Gradient gradient;
+      set_zero(gradient, state);
+      return double(contact_of(radius).add_gradient(state, gradient)) > 0;
+    };
+    double open = 0.5, touching = 1;
+    while (touching - open > 1e-9) {
+      const double middle = (open + touching) / 2;
+      (touches(middle) ? touching : open) = middle;
+    }
+    SelfContactEnergy energy = contact_of(open * (1 - nearly_touching / 5));
+    const FrameChart chart(state, HeldUnknowns::none(state));
+    const Eigen::MatrixXd model = model_of(chart, energy, 1);
+    const double largest = model.cwiseAbs().maxCoeff();
+    EXPECT_GT(largest, 0) << "a contact that is about to form is in the model";
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(model).eigenvalues()[0],
+              -1e-12 * largest);
+  }
+}
+
 TEST(Hessian, SquaresAreNotNegativeButTheHessianOfACompressedEdgeIs) {
   const RodParams params;
   StretchEnergy energy(params);

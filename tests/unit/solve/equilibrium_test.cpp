@@ -113,6 +113,27 @@ TEST(Equilibrium, OneBadRoundIsRepeatedWithShorterMoves) {
   EXPECT_EQ(report.work.rounds_taken_back, 1);
 }
 
+TEST(Equilibrium, a_long_way_takes_fewer_rounds_where_the_guard_lets_snaps_go_farther) {
+  const auto rest_with = [](double snap_distance, double longest_admissible) {
+    Cantilever c;
+    c.options.guard = {0.5, 50, [=](const RodState& before, const RodState& after) {
+                         return (after.nodes - before.nodes).colwise().norm().maxCoeff() <
+                                longest_admissible;
+                       }};
+    c.options.guard.snap_distance = snap_distance;
+    const EquilibriumReport report = c.rest();
+    EXPECT_EQ(report.end, EquilibriumEnd::converged);
+    return report;
+  };
+  const EquilibriumReport steady = rest_with(0, 100), snap = rest_with(4, 100);
+  EXPECT_LT(snap.work.factorizations, 0.7 * steady.work.factorizations);
+  EXPECT_NEAR(snap.energy / steady.energy, 1, 1e-8);
+  // one round that may not be kept, and no longer ones any more
+  const EquilibriumReport hindered = rest_with(4, 0.75);
+  EXPECT_EQ(hindered.work.rounds_taken_back, 1);
+  EXPECT_EQ(hindered.work.factorizations, steady.work.factorizations + 1);
+}
+
 TEST(Equilibrium, TooFewEvaluationsAreReportedWithTheBestPoint) {
   Cantilever c;
   c.options.method.max_evaluations = 5;

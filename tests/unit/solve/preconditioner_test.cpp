@@ -1,5 +1,6 @@
 #include "wirepack/solve/preconditioner.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>
