@@ -137,7 +137,6 @@ RoundReport descend_one_round(LowestPoint& lowest, const HeldUnknowns& held,
   // of a round's first gradient 1e3, so that a round can gain eleven decades.
   double unit = 0;
   double way = 0;  // longest move across the wire at the lowest point
-  bool at_guard = false;
   const Objective objective = [&](const Eigen::VectorXd& y, Eigen::VectorXd& by_y) {
     watch.lap(work.descent_seconds);
     preconditioner.to_step(y, step);
@@ -164,7 +163,7 @@ RoundReport descend_one_round(LowestPoint& lowest, const HeldUnknowns& held,
       }
     }
     const bool at_rest = residual <= 1 && height == heights.lowest();
-    at_guard = guard.energy > 0 && way >= nearly_all * guard_distance;
+    const bool at_guard = guard.energy > 0 && way >= nearly_all * guard_distance;
     watch.lap(work.chart_seconds);
     preconditioner.to_gradient(by_step, by_y);
     watch.lap(work.solve_seconds);
@@ -179,7 +178,7 @@ RoundReport descend_one_round(LowestPoint& lowest, const HeldUnknowns& held,
   work.evaluations += report.evaluations;
   if (!heights.known()) throw NumericalFailure("the start has no finite energy");
   if (!held.frames_follow) carry_frames(lowest.state);
-  return {-heights.lowest(), at_guard};
+  return {-heights.lowest(), guard_distance > 0 && way >= nearly_all * guard_distance};
 }
 
 }  // namespace wirepack

@@ -15,7 +15,7 @@ struct LowestPoint {
 
 struct RoundReport {
   double gain;    // by how much the energy has decreased, the guard's included
-  bool at_guard;  // it ended because a node has come near the guard's distance
+  bool at_guard;  // a node has come near the guard's distance
 };
 
 // Descends from `lowest` with one chart, one factor and one memory of L-BFGS, and sets it to the
