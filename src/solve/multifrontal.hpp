@@ -22,7 +22,7 @@ template <class Entry>
 std::optional<FrontColumns<Entry>> factored(const EliminationTree& tree,
                                             const Eigen::SparseMatrix<double>& lower);
 
-/// Whether all pivots are positive. Keeps no columns of the factor: a tenth of its memory.
+/// Whether all pivots are positive. Keeps no columns of the factor.
 template <class Entry>
 bool has_positive_pivots(const EliminationTree& tree, const Eigen::SparseMatrix<double>& lower);
 

@@ -18,7 +18,7 @@ std::optional<Preconditioner> factored_hessian(const FrameChart& chart,
                                                const EquilibriumOptions& options, bool positive,
                                                SolverWork& work);
 
-// Whether it has one.
+// Whether it has a factor.
 bool is_positive_definite(const FrameChart& chart, const Eigen::SparseMatrix<double>& lower,
                           const EquilibriumOptions& options, SolverWork& work);
 
