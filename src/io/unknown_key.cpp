@@ -25,6 +25,9 @@ std::vector<std::string> names_in(const std::string& section, const std::vector<
 }  // namespace
 
 std::string unknown_section(const GivenSection& section, const std::vector<ConfigKey>& keys) {
+  if (section.name == "sweep") {
+    return "makes this a plan, for `wirepack sweep`; a configuration, as a base is, has none";
+  }
   std::vector<std::string> names;
   for (const ConfigKey& key : keys) {
     if (names.empty() || names.back() != key.section) names.emplace_back(key.section);

@@ -251,6 +251,15 @@ class Tasks(SweepTest):
         self.assertEqual((code, out), (0, "# 2 tasks: 2 done\n"), err)
         self.assertIn("reference_shape", (self.folder / "out/case=bent/config.toml").read_text())
 
+    def test_a_plan_is_no_configuration_of_a_run_and_no_base(self):
+        self.write("inner.toml", "[cavity]\nradius = 4\n[sweep]\npacking.seed = [1, 2]\n")
+        self.write("outer.toml", 'base = "inner.toml"\n[sweep]\ncavity.radius = [3, 4]\n')
+        for arguments in (["run", "inner.toml"], ["sweep", "outer.toml"]):
+            code, _, err = self.run_program(*arguments, "-o", "out")
+            self.assertEqual(code, 2)
+            self.assertIn("inner.toml:3:2: [sweep]: makes this a plan, for `wirepack sweep`", err)
+        self.assertFalse((self.folder / "out").exists())
+
     def test_tasks_keep_the_units_of_the_plan(self):
         units = '[units]\nlength = "mm"\nforce = "mN"\n'
         plan = "[stop]\nincrements = 3\n[sweep]\ncavity.radius = [3, 4]\n" + units

@@ -33,9 +33,9 @@ struct Stability {
 /// the other.
 inline constexpr int most_saddles = 6;
 
-/// Tells a minimum from a saddle, a load that is a hundredth of a per cent too high from one that is
-/// not: one factorization of the Hessian with 1e-4 of its Gauss-Newton part, and where that meets a
-/// pivot that is not positive, the softest mode.
+/// Tells a minimum from a saddle, to a hundredth of a per cent of the load: one factorization of
+/// the Hessian with 1e-4 of its Gauss-Newton part, and where that meets a pivot that is not
+/// positive, the softest mode.
 Stability stability_of(const RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
                        const EquilibriumOptions& options, SolverWork& work);
 
