@@ -244,6 +244,7 @@ TEST(Hessian, of_strands_that_nearly_touch_is_never_negative) {
     const Eigen::MatrixXd model = model_of(chart, energy, 1);
     const double largest = model.cwiseAbs().maxCoeff();
     EXPECT_GT(largest, 0) << "a contact that is about to form is in the model";
+    EXPECT_EQ(model, model_of(chart, energy, 0)) << "by its squares alone";
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(model).eigenvalues()[0],
               -1e-12 * largest);
   }
