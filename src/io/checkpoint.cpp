@@ -294,6 +294,7 @@ void write_checkpoint(hid_t file, const std::string& group, const PackingProgres
   write_attribute(checkpoint, "inlet_rest_length", rod.inlet_rest_length);
   for_each_checkpoint_scalar(progress, write_to(checkpoint));
   write_attribute(checkpoint, "missed_by_edge", progress.work_errors.edge_share);
+  write_attribute(checkpoint, "edge_scatter", progress.work_errors.edge_scatter);
   write_attribute(checkpoint, "trapezoid_error", progress.work_errors.trapezoid);
   for_each_end(rod, [&](const char* name, bool value) {
     write_attribute(checkpoint, name, static_cast<std::int64_t>(value));
@@ -331,6 +332,9 @@ PackingProgress read_checkpoint(hid_t file, const std::string& group) {
   if (has_attribute(checkpoint, "trapezoid_error")) {  // files of 0.1.0 have none
     progress.work_errors.edge_share = read_attribute<double>(checkpoint, "missed_by_edge");
     progress.work_errors.trapezoid = read_attribute<double>(checkpoint, "trapezoid_error");
+  }
+  if (has_attribute(checkpoint, "edge_scatter")) {  // older files have none
+    progress.work_errors.edge_scatter = read_attribute<double>(checkpoint, "edge_scatter");
   }
   const Hdf5Handle last = open_group(checkpoint, "last");
   for (const HistoryColumn& column : history_columns) {

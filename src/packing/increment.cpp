@@ -36,8 +36,9 @@ bool divides_edges(double increment, const RodParams& wire) {
 
 // True if the wire slides along itself: increments are whole edges, and there is no friction, which
 // would have to undo the slide where it holds the wire.
-bool feeds_whole_edges(const PackingModel& model) {
-  return is_whole_edge(model.scenario.insertion.increment, model.wire) && !model.has_friction();
+bool slides(const PackingModel& model, double length) {
+  return is_whole_edge(model.scenario.insertion.increment, model.wire) && !model.has_friction() &&
+         is_whole_edge(length, model.wire);
 }
 
 std::optional<StopReason> failure_of(const EquilibriumReport& report) {
@@ -76,6 +77,11 @@ double length_of_increment(const PackingModel& model, const PackingProgress& fro
     const double increments = (from.rod.inlet_rest_length - inlet_at_start(model.wire)) / whole;
     const double missing = whole * (std::ceil(increments - 1e-9) - increments);
     if (missing > 1e-9 * whole) length = std::min(length, missing);
+  }
+  if (slides(model, length) &&
+      !whole_edge_is_likely_resolved(length, from.last.force, force_unit(scenario), from.balance,
+                                     from.work_errors)) {
+    length /= 2;
   }
   return length;
 }
@@ -126,14 +132,14 @@ void perturb(const PackingModel& model, PackingProgress& next) {
 // friction.
 Fed feed(PackingModel& model, double length, Trial& trial) {
   perturb(model, trial.progress);
-  const bool slides = feeds_whole_edges(model) && is_whole_edge(length, model.wire);
-  if (slides) {
+  const bool whole_edge = slides(model, length);
+  if (whole_edge) {
     slide_one_edge(trial.progress.rod, model.wire);
     trial.work += settle_tip(model, trial.progress.rod);
   } else {
     insert(trial.progress.rod, length);
   }
-  return {length, slides};
+  return {length, whole_edge};
 }
 
 // Compares the work of the force with what the increment has spent. What is missing was released by
@@ -168,7 +174,7 @@ double inlet_at_start(const RodParams& wire) { return inlet_of_whole_edges * wir
 // If no equilibrium is found with the new short edge, the split is undone and waits until the edge
 // is longer. From `latest_split` on it must succeed.
 FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from) {
-  FeedStart start{{from, std::nullopt, true, {}}, from.last.energy_total, from.last.force};
+  FeedStart start{{from, std::nullopt, true, 0, {}}, from.last.energy_total, from.last.force};
   if (!split_is_due(from.rod, longest_inlet * model.wire.edge_length)) return start;
   PackingProgress& next = start.split.progress;
   split_inlet(next.rod, model.nozzle, model.wire);
@@ -193,9 +199,9 @@ FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from) {
 
 Trial attempt_increment(PackingModel& model, const FeedStart& start, double longest) {
   const PackingProgress& from = start.split.progress;
-  Trial trial{from, std::nullopt, true, {}};
-  PackingProgress& next = trial.progress;
   const double length = length_of_increment(model, from, longest);
+  Trial trial{from, std::nullopt, true, length / model.scenario.insertion.increment, {}};
+  PackingProgress& next = trial.progress;
 
   const RodState before = next.rod;
   const SlipWork at_start = start_friction(model, next);

@@ -15,6 +15,7 @@ struct Trial {
   PackingProgress progress;           // after the increment; useless where it failed
   std::optional<StopReason> failure;  // no equilibrium was found, or strands passed
   bool resolved = true;               // false: only a shorter increment tells what happened
+  double part = 0;                    // of the configured increment, that was fed
   SolverWork work;
 };
 

@@ -16,6 +16,17 @@ namespace {
 // An increment whose work is not known well enough is halved, down to this part.
 constexpr double resolving_substep = 1.0 / 8;
 
+constexpr double rounding = 1e-9;  // relative, of a part of an increment
+
+// The part to try after one that failed. What was tried may have been shorter than asked for, up to
+// a phase of the mesh or the end of the run; the next is shorter still.
+double less_than(double tried, double substep) {
+  do {
+    substep /= 2;
+  } while (substep > smallest_substep && substep > tried * (1 - rounding));
+  return substep;
+}
+
 }  // namespace
 
 QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, const EnergyTerms& extra)
@@ -48,7 +59,7 @@ Advance QuasistaticPacking::advance() {
   while (!failure) {
     Trial trial = attempt_increment(*model_, start, from.substep);
     work += trial.work;
-    const bool unresolved = !trial.resolved && from.substep > resolving_substep;
+    const bool unresolved = !trial.resolved && trial.part > resolving_substep * (1 + rounding);
     if (!trial.failure && !unresolved) {
       work += progress_.work;
       progress_ = std::move(trial.progress);
@@ -57,10 +68,11 @@ Advance QuasistaticPacking::advance() {
       progress_.substep = std::min(1.0, 2 * from.substep);
       return {progress_.last, reached_limit(model_->scenario, progress_)};
     }
-    if (from.substep <= smallest_substep) {
+    if (from.substep <= smallest_substep || trial.part <= smallest_substep) {
       failure = trial.failure;
     } else {
-      from.substep /= 2;
+      from.substep = less_than(trial.part, from.substep);
+      from.work_errors.edge_scatter = trial.progress.work_errors.edge_scatter;
       if (trial.failure) ++from.rollbacks;
     }
   }

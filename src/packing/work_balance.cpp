@@ -9,14 +9,28 @@ namespace {
 
 // Of the work over an increment (of a force of YI / R^2 at least): less than this is no matter.
 constexpr double resolved_share = 0.02;
-// Of all work: as long as errors are within this share, increments need not be halved.
-constexpr double error_share = 0.003;
+// Of all work: as long as errors are within this share, increments need not be halved. Whole edges
+// are steadily off besides.
+constexpr double error_share = 0.005;
+constexpr double error_share_beside_edges = 0.003;
 // What the mesh may keep of the work over a whole edge, and the weight of a new edge in its mean.
 constexpr double largest_edge_share = 0.02;
 constexpr double edge_weight = 1.0 / 8;
+// Of the scatter, that is forgotten with each part of an edge.
+constexpr double forgotten = 1.0 / 64;
 
 // Of the work over an edge: a split that takes more has set off a snap.
 constexpr double largest_split_share = 0.1;
+
+double allowed_error(const WorkBalance& balance, const WorkErrors& errors) {
+  return balance.work * (errors.edge_share == 0 ? error_share : error_share_beside_edges);
+}
+
+// One snap says little about the edges after it, so the scatter doubles at most.
+double scatter_after(double off, double scatter) {
+  if (off > scatter) return std::min(off, 2 * scatter + resolved_share);
+  return scatter + edge_weight * (off - scatter);
+}
 
 }  // namespace
 
@@ -26,8 +40,9 @@ WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors)
   const double scale =
       step.fed * std::max({std::abs(step.force), std::abs(step.force_before), step.force_unit});
   balance.work += work;
-  const double allowed = error_share * balance.work;
+  const double allowed = allowed_error(balance, errors);
   const double missing = work - step.spent;
+  if (!step.whole_edge) errors.edge_scatter *= 1 - forgotten;
   if (!step.whole_edge && missing > uncertain + resolved_share * scale) {
     balance.released += missing;
     return {missing, uncertain <= std::max(allowed, resolved_share * scale)};
@@ -38,9 +53,17 @@ WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors)
   if (step.whole_edge) {
     const double share = std::clamp(missing / scale, -largest_edge_share, largest_edge_share);
     errors.edge_share += edge_weight * (share - errors.edge_share);
+    errors.edge_scatter = scatter_after(std::abs(error) / scale, errors.edge_scatter);
   }
   const bool small = std::abs(error) <= resolved_share * scale;
   return {0, small || std::abs(errors.trapezoid) <= std::max(before, allowed)};
+}
+
+bool whole_edge_is_likely_resolved(double edge_length, double force, double force_unit,
+                                   const WorkBalance& balance, const WorkErrors& errors) {
+  if (errors.edge_scatter <= resolved_share) return true;
+  const double expected = errors.edge_scatter * edge_length * std::max(std::abs(force), force_unit);
+  return std::abs(errors.trapezoid) + expected <= allowed_error(balance, errors);
 }
 
 double book_split(double taken, double edge_work, WorkBalance& balance) {

@@ -28,6 +28,9 @@ struct WorkErrors {
   /// Steady error of the work over a whole edge, which reads the force at one phase of the mesh
   /// only; over that work, a mean over the last edges.
   double edge_share = 0;
+  /// How far single edges are off beside that; over their work, a mean that fades while parts of
+  /// edges are fed. Edges that were fed anew in parts count.
+  double edge_scatter = 0;
   double trapezoid = 0;  ///< all other error of the work so far [energy]
 };
 
@@ -51,6 +54,11 @@ struct WorkBooking {
 /// snap: the force is read at one phase of the mesh only and has a steady error there, which only
 /// parts of an edge can tell from a snap.
 WorkBooking book(const WorkStep& step, WorkBalance& balance, WorkErrors& errors);
+
+/// True if a whole edge under `force` is likely to be resolved, as far as the edges before tell. If
+/// it is not, two halves cost less than the edge and then its parts.
+bool whole_edge_is_likely_resolved(double edge_length, double force, double force_unit,
+                                   const WorkBalance& balance, const WorkErrors& errors);
 
 /// Books the energy that a split of the inlet edge has taken away (negative: added) as remeshing.
 /// If it is more than a tenth of `edge_work`, the work over an edge, the split has set off a snap,

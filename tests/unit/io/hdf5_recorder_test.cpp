@@ -54,6 +54,7 @@ PackingProgress progress_of(int increment, Index nodes) {
   p.random_state = 0xFEDCBA9876543210u;
   p.substep = 0.125;
   p.work_errors.edge_share = -0.02 / 3;
+  p.work_errors.edge_scatter = 0.2 / 3;
   p.work_errors.trapezoid = 0.1 / 7;
   p.last_frame_density = 0.3;
   p.recent_forces = {{1.0 / 3, 0.1}, {2.0 / 3, 0.7}};
@@ -116,6 +117,7 @@ TEST_F(Hdf5File, progress_comes_back_bit_for_bit_also_when_it_was_replaced) {
     EXPECT_EQ(back.random_state, p.random_state);
     EXPECT_EQ(back.substep, p.substep);
     EXPECT_EQ(back.work_errors.edge_share, p.work_errors.edge_share);
+    EXPECT_EQ(back.work_errors.edge_scatter, p.work_errors.edge_scatter);
     EXPECT_EQ(back.work_errors.trapezoid, p.work_errors.trapezoid);
     EXPECT_EQ(back.last_frame_density, p.last_frame_density);
     ASSERT_EQ(back.recent_forces.size(), 2u);
