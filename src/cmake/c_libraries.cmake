@@ -1,5 +1,6 @@
-# Targets wirepack::hdf5 and wirepack::zip, as the libraries' own packages have none that every
-# project can use. For the build of wirepack and, installed, for projects that use it.
+# Targets wirepack::hdf5, wirepack::metis and wirepack::zip, as the libraries' own packages have
+# none that every project can use. For the build of wirepack and, installed, for projects that
+# use it.
 function(wirepack_c_library name header)
   cmake_parse_arguments(PARSE_ARGV 2 search "" "" "NAMES;PATH_SUFFIXES")
   find_library(WIREPACK_${name}_LIBRARY NAMES ${search_NAMES} PATH_SUFFIXES ${search_PATH_SUFFIXES})
@@ -16,4 +17,5 @@ function(wirepack_c_library name header)
 endfunction()
 
 wirepack_c_library(hdf5 hdf5.h NAMES hdf5 hdf5_serial PATH_SUFFIXES hdf5/serial)
+wirepack_c_library(metis metis.h NAMES metis)
 wirepack_c_library(zip zip.h NAMES zip)

@@ -29,7 +29,8 @@ SlipWork start_friction(PackingModel& model, const RodState& rod, const Observat
   return model.friction.work(rod);
 }
 
-Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod) {
+Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod,
+                        bool leave_saddles) {
   const RodState fed = rod;
   Equilibrium found;
   SolverWork work;
@@ -59,6 +60,7 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
                                     found.observed.wall_forces);
       continue;
     }
+    if (!leave_saddles) break;
     if (saddles++ == most_saddles) {
       found.report.stable = false;  // this one is not tested, and counts as a saddle
       break;

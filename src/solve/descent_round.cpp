@@ -66,7 +66,7 @@ Preconditioner preconditioner_at(const FrameChart& chart, const EnergyTerms& ene
                                  const EquilibriumOptions& options, SolverWork& work) {
   const auto factored = [&](double exactness) {
     return factored_hessian(chart, shifted_hessian(chart, energy, options, exactness), options,
-                            exactness == 0, work);
+                            exactness == 0, {}, work);
   };
   std::optional<Preconditioner> result = factored(options.exactness);
   if (!result && options.exactness > 0) result = factored(0);
@@ -178,7 +178,8 @@ RoundReport descend_one_round(LowestPoint& lowest, const HeldUnknowns& held,
   work.evaluations += report.evaluations;
   if (!heights.known()) throw NumericalFailure("the start has no finite energy");
   if (!held.frames_follow) carry_frames(lowest.state);
-  return {-heights.lowest(), guard_distance > 0 && way >= nearly_all * guard_distance};
+  return {-heights.lowest(), guard_distance > 0 && way >= nearly_all * guard_distance,
+          preconditioner.order()};
 }
 
 }  // namespace wirepack

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "wirepack/solve/equilibrium.hpp"
 
 namespace wirepack {
@@ -14,8 +16,9 @@ struct LowestPoint {
 };
 
 struct RoundReport {
-  double gain;    // by how much the energy has decreased, the guard's included
-  bool at_guard;  // a node has come near the guard's distance
+  double gain;             // by how much the energy has decreased, the guard's included
+  bool at_guard;           // a node has come near the guard's distance
+  std::vector<int> order;  // of elimination
 };
 
 // Descends from `lowest` with one chart, one factor and one memory of L-BFGS, and sets it to the

@@ -1,9 +1,11 @@
 #include "elimination_tree.hpp"
 
-#include <Eigen/OrderingMethods>
 #include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include "column_groups.hpp"
+#include "elimination_order.hpp"
 
 namespace wirepack {
 
@@ -13,77 +15,18 @@ using List = std::vector<int>;
 
 std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-// A graph by the neighbors of each vertex, itself among them and sorted (Eigen's ordering wants
-// both): those of v are list[start[v]] ... list[start[v + 1] - 1].
-struct Graph {
-  List start, list;
-
-  int size() const { return static_cast<int>(start.size()) - 1; }
-  template <class F>
-  void for_each_neighbor(int v, F&& f) const {
-    for (int k = start[at(v)]; k < start[at(v) + 1]; ++k) f(list[at(k)]);
+// The groups in the order of their first unknowns.
+List groups_in(const List& unknowns, const ColumnGroups& groups) {
+  const List group_of = group_of_columns(groups);
+  std::vector<bool> placed(at(groups.size()), false);
+  List order;
+  for (const int unknown : unknowns) {
+    const int group = group_of[at(unknown)];
+    if (placed[at(group)]) continue;
+    placed[at(group)] = true;
+    order.push_back(group);
   }
-};
-
-// First columns of the groups, and the end of the last: successive columns of one pattern.
-List group_starts(const Eigen::SparseMatrix<double>& lower) {
-  const auto n = static_cast<int>(lower.cols());
-  const int* const start = lower.outerIndexPtr();
-  const int* const row = lower.innerIndexPtr();
-  List result;
-  for (int c = 0; c < n; ++c) {
-    const bool joins = c > 0 && start[c + 1] - start[c] == start[c] - start[c - 1] - 1 &&
-                       std::equal(row + start[c], row + start[c + 1], row + start[c - 1] + 1);
-    if (!joins) result.push_back(c);
-  }
-  result.push_back(n);
-  return result;
-}
-
-// Which groups are coupled, both ways.
-Graph group_graph(const Eigen::SparseMatrix<double>& lower, const List& starts) {
-  const int groups = static_cast<int>(starts.size()) - 1;
-  List group_of(at(static_cast<int>(lower.cols())));
-  for (int g = 0; g < groups; ++g) {
-    std::fill(group_of.begin() + starts[at(g)], group_of.begin() + starts[at(g) + 1], g);
-  }
-  const auto for_each_edge = [&](auto&& f) {
-    for (int g = 0; g < groups; ++g) {
-      f(g, g);
-      int last = g;
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, starts[at(g)]); entry; ++entry) {
-        const int other = group_of[at(static_cast<int>(entry.row()))];
-        if (other == last) continue;
-        f(g, other);
-        last = other;
-      }
-    }
-  };
-  Graph graph;
-  graph.start.assign(at(groups) + 1, 0);
-  for_each_edge([&](int a, int b) {
-    ++graph.start[at(a) + 1];
-    if (b != a) ++graph.start[at(b) + 1];
-  });
-  std::partial_sum(graph.start.begin(), graph.start.end(), graph.start.begin());
-  graph.list.resize(at(graph.start.back()));
-  List next(graph.start.begin(), graph.start.end() - 1);
-  for_each_edge([&](int a, int b) {
-    graph.list[at(next[at(a)]++)] = b;
-    if (b != a) graph.list[at(next[at(b)]++)] = a;
-  });
-  return graph;
-}
-
-List minimum_degree_order(const Graph& graph) {
-  using Pattern = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
-  const std::vector<double> values(graph.list.size(), 1);
-  const Pattern pattern =
-      Eigen::Map<const Pattern>(graph.size(), graph.size(), graph.start.back(), graph.start.data(),
-                                graph.list.data(), values.data());
-  Eigen::AMDOrdering<int>::PermutationType order;
-  Eigen::AMDOrdering<int>()(pattern, order);
-  return {order.indices().data(), order.indices().data() + graph.size()};
+  return order;
 }
 
 // Liu's elimination tree: the parent of a vertex is the first later one that it is coupled to when
@@ -243,11 +186,13 @@ void split(EliminationTree& tree) {
 
 }  // namespace
 
-EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower) {
-  const List starts = group_starts(lower);
-  const Graph graph = group_graph(lower, starts);
+EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower, const List& unknowns) {
+  const ColumnGroups groups = column_groups(lower);
+  const List& starts = groups.start;
+  const Graph& graph = groups.graph;
   const int n = graph.size();
-  List order = minimum_degree_order(graph);
+  const bool fits = static_cast<Index>(unknowns.size()) == lower.cols();
+  List order = fits ? groups_in(unknowns, groups) : elimination_order(groups);
   List parent = parents_in(order, graph);
   put_subtrees_together(order, parent);
   const std::vector<List> pattern = fill_patterns(order, parent, graph);
@@ -256,7 +201,7 @@ EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower) {
   List width_of(at(n)), first_column{0}, front_of(at(n));
   for (int k = 0; k < n; ++k) {
     const int group = order[at(k)];
-    width_of[at(k)] = starts[at(group) + 1] - starts[at(group)];
+    width_of[at(k)] = groups.width(group);
     first_column.push_back(first_column.back() + width_of[at(k)]);
     for (int c = starts[at(group)]; c < starts[at(group) + 1]; ++c) tree.order.push_back(c);
   }

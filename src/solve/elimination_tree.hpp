@@ -27,10 +27,11 @@ struct EliminationTree {
   std::vector<int> top;  ///< the fronts above the subtrees, in order
 };
 
-/// Eigen's approximate minimum degree (Amestoy, Davis and Duff 1996) on groups of columns with one
-/// pattern: the unknowns of a node are coupled to the same others, so that is a tenth of the work.
-/// Fronts that follow on each other are taken together where that adds few zeros. `lower` is a
-/// lower triangle with sorted columns.
-EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower);
+/// `lower` is a lower triangle with sorted columns. Its unknowns are eliminated in the given order
+/// (place -> unknown), that of a matrix with nearly the same pattern, or else in one of their own
+/// (elimination_order). Fronts that follow on each other are taken together where that adds few
+/// zeros.
+EliminationTree elimination_tree(const Eigen::SparseMatrix<double>& lower,
+                                 const std::vector<int>& unknowns = {});
 
 }  // namespace wirepack

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "descent_round.hpp"
 #include "stopwatch.hpp"
@@ -39,7 +40,8 @@ class Search {
   EquilibriumEnd run() {
     while (true) {
       const LowestPoint before = lowest_;
-      const auto [gain, at_guard] = descend();
+      auto [gain, at_guard, order] = descend();
+      order_ = std::move(order);
       if (!admissible(before.state)) {
         if (const auto end = take_back(before)) return *end;
         continue;
@@ -56,6 +58,7 @@ class Search {
   const LowestPoint& lowest() const { return lowest_; }
   RodState take_state() { return std::move(lowest_.state); }
   const SolverWork& work() const { return work_; }
+  std::vector<int> take_order() { return std::move(order_); }
 
  private:
   RoundReport descend() {
@@ -99,6 +102,7 @@ class Search {
   LowestPoint lowest_;
   double guard_distance_;
   double longest_distance_;
+  std::vector<int> order_;  // of elimination in the last round
   int rounds_at_guard_ = 0;
   int fruitless_rounds_ = 0;
   SolverWork work_;
@@ -121,6 +125,7 @@ EquilibriumReport solve_equilibrium(RodState& state, const HeldUnknowns& held,
   report.residual = search.lowest().residual;
   report.inlet_length_force = search.lowest().inlet_length_force;
   report.work = search.work();
+  report.order = search.take_order();
   state = search.take_state();
   return report;
 }

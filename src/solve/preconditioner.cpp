@@ -20,8 +20,9 @@ bool single_precision_serves(const Eigen::SparseMatrix<double>& lower, double sm
 
 }  // namespace
 
-bool is_positive_definite(const Eigen::SparseMatrix<double>& lower, double smallest) {
-  const EliminationTree tree = elimination_tree(lower);
+bool is_positive_definite(const Eigen::SparseMatrix<double>& lower, double smallest,
+                          const std::vector<int>& order) {
+  const EliminationTree tree = elimination_tree(lower, order);
   return single_precision_serves(lower, smallest) ? has_positive_pivots<float>(tree, lower)
                                                   : has_positive_pivots<double>(tree, lower);
 }
@@ -36,8 +37,9 @@ struct Preconditioner::Factor {
 Preconditioner::Preconditioner(std::unique_ptr<Factor> factor) : factor_(std::move(factor)) {}
 
 std::optional<Preconditioner> Preconditioner::factored(const Eigen::SparseMatrix<double>& lower,
-                                                       double smallest, Definiteness definiteness) {
-  EliminationTree tree = elimination_tree(lower);
+                                                       double smallest, Definiteness definiteness,
+                                                       const std::vector<int>& order) {
+  EliminationTree tree = elimination_tree(lower, order);
   double size = 0;
   for (const Front& front : tree.fronts) {
     const auto columns = static_cast<double>(front.columns);
@@ -46,10 +48,10 @@ std::optional<Preconditioner> Preconditioner::factored(const Eigen::SparseMatrix
   const auto in = [&]<class Entry>(Entry) -> std::optional<Preconditioner> {
     std::optional<FrontColumns<Entry>> columns = wirepack::factored<Entry>(tree, lower);
     if (!columns) return std::nullopt;
-    std::vector<int> order = tree.order;
+    std::vector<int> own_order = tree.order;
     TriangularFactor<Entry> triangle(std::move(tree), std::move(*columns));
     return Preconditioner(std::make_unique<Factor>(
-        Factor{std::move(order), std::move(triangle), size, Eigen::VectorXd(lower.rows())}));
+        Factor{std::move(own_order), std::move(triangle), size, Eigen::VectorXd(lower.rows())}));
   };
   if (single_precision_serves(lower, smallest)) {
     auto result = in(float{});
@@ -78,5 +80,7 @@ void Preconditioner::to_gradient(const Eigen::VectorXd& by_x, Eigen::VectorXd& b
 }
 
 double Preconditioner::factor_size() const { return factor_->size; }
+
+const std::vector<int>& Preconditioner::order() const { return factor_->order; }
 
 }  // namespace wirepack

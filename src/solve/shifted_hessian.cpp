@@ -37,17 +37,18 @@ Eigen::SparseMatrix<double> shifted_hessian(const FrameChart& chart, const Energ
 std::optional<Preconditioner> factored_hessian(const FrameChart& chart,
                                                const Eigen::SparseMatrix<double>& lower,
                                                const EquilibriumOptions& options, bool positive,
-                                               SolverWork& work) {
+                                               const std::vector<int>& order, SolverWork& work) {
   ++work.factorizations;
   const auto definiteness =
       positive ? Preconditioner::Definiteness::positive : Preconditioner::Definiteness::unknown;
-  return Preconditioner::factored(lower, typical_shift(chart, lower, options), definiteness);
+  return Preconditioner::factored(lower, typical_shift(chart, lower, options), definiteness, order);
 }
 
 bool is_positive_definite(const FrameChart& chart, const Eigen::SparseMatrix<double>& lower,
-                          const EquilibriumOptions& options, SolverWork& work) {
+                          const EquilibriumOptions& options, const std::vector<int>& order,
+                          SolverWork& work) {
   ++work.factorizations;
-  return is_positive_definite(lower, typical_shift(chart, lower, options));
+  return is_positive_definite(lower, typical_shift(chart, lower, options), order);
 }
 
 }  // namespace wirepack

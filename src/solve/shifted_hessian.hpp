@@ -13,13 +13,15 @@ Eigen::SparseMatrix<double> shifted_hessian(const FrameChart& chart, const Energ
                                             const EquilibriumOptions& options, double exactness);
 
 // Its factor; nothing where a pivot is not positive. `positive`: known to be positive definite.
+// `order`: see Preconditioner::factored.
 std::optional<Preconditioner> factored_hessian(const FrameChart& chart,
                                                const Eigen::SparseMatrix<double>& lower,
                                                const EquilibriumOptions& options, bool positive,
-                                               SolverWork& work);
+                                               const std::vector<int>& order, SolverWork& work);
 
 // Whether it has a factor.
 bool is_positive_definite(const FrameChart& chart, const Eigen::SparseMatrix<double>& lower,
-                          const EquilibriumOptions& options, SolverWork& work);
+                          const EquilibriumOptions& options, const std::vector<int>& order,
+                          SolverWork& work);
 
 }  // namespace wirepack

@@ -68,7 +68,8 @@ CurvatureMode softest_mode(const FrameChart& chart, const Sparse& hessian,
                            const EnergyTerms& energy, const EquilibriumOptions& options,
                            SolverWork& work) {
   const auto gauss_newton_factor = [&](const EquilibriumOptions& shifted) {
-    return factored_hessian(chart, shifted_hessian(chart, energy, shifted, 0), shifted, true, work);
+    return factored_hessian(chart, shifted_hessian(chart, energy, shifted, 0), shifted, true, {},
+                            work);
   };
   auto factor = gauss_newton_factor(with_small_shift(options));
   if (!factor) factor = gauss_newton_factor(options);
@@ -147,14 +148,15 @@ CurvatureMode softest_mode(const RodState& state, const HeldUnknowns& held,
 }
 
 Stability stability_of(const RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                       const EquilibriumOptions& options, SolverWork& work) {
+                       const EquilibriumOptions& options, SolverWork& work,
+                       const std::vector<int>& order) {
   Stopwatch watch;
   const EquilibriumOptions small_shift = with_small_shift(options);
   const FrameChart chart(state, held);
   work.list_builds += energy.prepare(chart.reference());
   Stability result;
   if (!is_positive_definite(chart, shifted_hessian(chart, energy, small_shift, exactness_of_test),
-                            small_shift, work)) {
+                            small_shift, order, work)) {
     const Sparse exact = shifted_hessian(chart, energy, small_shift, 1);
     const CurvatureMode softest = softest_mode(chart, exact, energy, options, work);
     result.lowest_eigenvalue = softest.eigenvalue;
@@ -168,7 +170,7 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
 
 bool leave_saddle(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
                   const EquilibriumOptions& options, double length, EquilibriumReport& report) {
-  const Stability stability = stability_of(state, held, energy, options, report.work);
+  const Stability stability = stability_of(state, held, energy, options, report.work, report.order);
   report.stable = stability.stable;
   return !stability.stable && move_down(state, held, energy, stability.direction, length);
 }

@@ -33,6 +33,7 @@ ALLOWED = {
 # (name, pattern of the included file, the only layer that may include it)
 OWNED_LIBRARIES = [
     ("NLopt", re.compile(r"nlopt\b", re.I), "solve"),
+    ("METIS", re.compile(r"metis\.h"), "solve"),
     ("Ceres", re.compile(r"ceres/"), "fit"),
     ("HDF5", re.compile(r"(hdf5/|hdf5\w*\.h|H5\w*\.h|highfive/)", re.I), "io"),
     ("toml++", re.compile(r"(toml\+\+/|tomlplusplus/|toml\.h)"), "io"),

@@ -19,7 +19,8 @@ SlipWork start_friction(PackingModel& model, const RodState& rod, const Observat
 
 /// Brings `rod`, fed from the equilibrium `before`, to a minimum. Repeats the minimization until no
 /// new contact joins: with friction, contacts that form on the way rub from where they came into
-/// touch.
-Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod);
+/// touch. Saddles are left, or not looked for: `report.stable` tells nothing then.
+Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod,
+                        bool leave_saddles = true);
 
 }  // namespace wirepack

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/rod/frame_chart.hpp"
@@ -62,6 +63,7 @@ struct EquilibriumReport {
                                   ///< in equilibrium
   double inlet_length_force = 0;  ///< explicit dE/d(inlet_rest_length): the injection force
   SolverWork work;
+  std::vector<int> order;  ///< of elimination, of the last factor (Preconditioner::factored)
 };
 
 /// Moves `state` down to an equilibrium by L-BFGS, in variables preconditioned by a factor of the

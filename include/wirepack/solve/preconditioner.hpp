@@ -3,14 +3,16 @@
 #include <Eigen/SparseCore>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "wirepack/core/types.hpp"
 
 namespace wirepack {
 
-/// Whether all pivots of a symmetric matrix are positive, `lower` and `smallest` as in
+/// Whether all pivots of a symmetric matrix are positive, `lower`, `smallest` and `order` as in
 /// Preconditioner::factored for a matrix of unknown definiteness; the same answer in less memory.
-bool is_positive_definite(const Eigen::SparseMatrix<double>& lower, double smallest);
+bool is_positive_definite(const Eigen::SparseMatrix<double>& lower, double smallest,
+                          const std::vector<int>& order = {});
 
 /// Cholesky factor P = L L^T (up to a fill-reducing permutation) of a curvature model, as a change
 /// of variables x = x0 + L^-T y: minimizing over y with the gradient L^-1 g is the preconditioned
@@ -24,8 +26,12 @@ class Preconditioner {
   /// `smallest` (the shift of a curvature model): it decides whether single precision serves.
   /// Nothing if pivots are not positive. Where those in single precision are not, the matrix is
   /// factored again in double if it is known to be positive definite, and given up if it is not.
+  /// `order` (place -> unknown) is that of a factor of a matrix with nearly the same pattern;
+  /// without it a new one is found. That takes a part of the time of a factorization, but the order
+  /// of a state from which nodes have moved on by the wire's radius makes a much larger factor.
   static std::optional<Preconditioner> factored(const Eigen::SparseMatrix<double>& lower,
-                                                double smallest, Definiteness definiteness);
+                                                double smallest, Definiteness definiteness,
+                                                const std::vector<int>& order = {});
   ~Preconditioner();
   Preconditioner(Preconditioner&&) noexcept;
   Preconditioner& operator=(Preconditioner&&) noexcept;
@@ -36,6 +42,8 @@ class Preconditioner {
   void to_gradient(const Eigen::VectorXd& by_x, Eigen::VectorXd& by_y);
   /// Nonzeros of the factor.
   double factor_size() const;
+  /// In which the unknowns were eliminated: place -> unknown.
+  const std::vector<int>& order() const;
 
  private:
   struct Factor;

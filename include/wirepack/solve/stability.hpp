@@ -35,9 +35,10 @@ inline constexpr int most_saddles = 6;
 
 /// Tells a minimum from a saddle, to a hundredth of a per cent of the load: one factorization of
 /// the Hessian with 1e-4 of its Gauss-Newton part, and where that meets a pivot that is not
-/// positive, the softest mode.
+/// positive, the softest mode. `order`: that of an EquilibriumReport, which saves finding one.
 Stability stability_of(const RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                       const EquilibriumOptions& options, SolverWork& work);
+                       const EquilibriumOptions& options, SolverWork& work,
+                       const std::vector<int>& order = {});
 
 /// Moves a state that has come to rest on a saddle down from it, along the direction of the lowest
 /// curvature, by at least `length` / 1000 at a node and at most by `length`. Returns whether it has

@@ -1,9 +1,13 @@
 #include "wirepack/solve/preconditioner.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <atomic>
+#include <csignal>
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>
+#include <thread>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -90,6 +94,87 @@ TEST(Preconditioner, StepAndGradientAreEachOthersTranspose) {
   p->to_step(y, step);
   p->to_gradient(g, by_y);
   EXPECT_NEAR(g.dot(step) / by_y.dot(y), 1, 1e-12);
+}
+
+// Lower triangle of a cube of nodes, three unknowns each, coupled to all 26 around them.
+Sparse cube_matrix(Index side) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto in_reach = [](Index i, Index j) { return std::abs(i - j) <= 1; };
+  const auto layer = side * side;
+  for (Index n = 0; n < side * layer; ++n) {
+    for (Index m = n; m < std::min(side * layer, n + layer + side + 2); ++m) {
+      if (!in_reach(n / layer, m / layer) || !in_reach(n / side % side, m / side % side) ||
+          !in_reach(n % side, m % side)) {
+        continue;
+      }
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < (m == n ? a + 1 : 3); ++b) {
+          const bool diagonal = m == n && a == b;
+          entries.emplace_back(3 * m + a, 3 * n + b, diagonal ? 30 : a == b ? -1 : 0.01);
+        }
+      }
+    }
+  }
+  Sparse lower(3 * side * layer, 3 * side * layer);
+  lower.setFromTriplets(entries.begin(), entries.end());
+  return lower;
+}
+
+TEST(Preconditioner, ALargeCubeIsDissectedAndItsFactorHasFewerEntries) {
+  // 2.6 million by minimum degree
+  const Sparse lower = cube_matrix(13);
+  auto p = Preconditioner::factored(lower, 1e-12, Definiteness::positive);
+  ASSERT_TRUE(p);
+  EXPECT_LT(p->factor_size(), 2.4e6);
+  const Eigen::VectorXd x = random_vector(lower.rows(), 1);
+  const Eigen::VectorXd force = lower.selfadjointView<Eigen::Lower>() * x;
+  EXPECT_LT((step_to_minimum(lower, 1e-12, force) - x).norm(), 1e-10 * x.norm());
+}
+
+TEST(Preconditioner, AnOrderServesMatricesOfOtherPatternsToo) {
+  const Sparse before = packing_matrix(300, 500, 1e-3, 3),
+               after = packing_matrix(300, 600, 1e-3, 9);
+  const auto first = Preconditioner::factored(before, 1e-12, Definiteness::positive);
+  const auto again =
+      Preconditioner::factored(before, 1e-12, Definiteness::positive, first->order());
+  EXPECT_EQ(again->factor_size(), first->factor_size());
+  auto other = Preconditioner::factored(after, 1e-12, Definiteness::positive, first->order());
+  ASSERT_TRUE(other);
+  const Eigen::VectorXd x = random_vector(after.rows(), 1);
+  Eigen::VectorXd y, step;
+  other->to_gradient(after.selfadjointView<Eigen::Lower>() * x, y);
+  other->to_step(y, step);
+  EXPECT_LT((step - x).norm(), 1e-10 * x.norm());
+  EXPECT_TRUE(is_positive_definite(after, 1e-12, first->order()));
+}
+
+std::atomic<int> terminations = 0;
+
+TEST(Preconditioner, NoSignalIsLostWhileAnOrderIsSought) {
+  struct sigaction told {
+  }, before{}, after{};
+  told.sa_handler = [](int) { ++terminations; };
+  sigaction(SIGTERM, &told, &before);
+  std::atomic<bool> ended = false;
+  std::atomic<int> sent = 0;
+  std::thread sender([&] {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+    while (!ended) {
+      const int seen = terminations;
+      kill(getpid(), SIGTERM);
+      ++sent;
+      while (terminations == seen && !ended) std::this_thread::yield();
+    }
+  });
+  const Sparse lower = cube_matrix(13);
+  while (sent < 20) EXPECT_TRUE(is_positive_definite(lower, 1e-1));
+  ended = true;
+  sender.join();
+  sigaction(SIGTERM, &before, &after);
+  EXPECT_EQ(after.sa_handler, told.sa_handler);
+  EXPECT_GE(terminations, sent - 1);
 }
 
 TEST(Preconditioner, NumberOfThreadsChangesNoBit) {
