@@ -34,8 +34,8 @@ bool divides_edges(double increment, const RodParams& wire) {
   return std::abs(count - std::round(count)) < 1e-9 * count;
 }
 
-// True if the wire slides along itself: increments are whole edges, and there is no friction, which
-// would have to undo the slide where it holds the wire.
+// True if the wire slides along itself by this length: it is a whole edge, as increments are, and
+// there is no friction, which would have to undo the slide where it holds the wire.
 bool slides(const PackingModel& model, double length) {
   return is_whole_edge(model.scenario.insertion.increment, model.wire) && !model.has_friction() &&
          is_whole_edge(length, model.wire);
