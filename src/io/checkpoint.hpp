@@ -7,13 +7,6 @@
 
 namespace wirepack {
 
-/// N x 3 as files keep points; HDF5's row order is the memory order of Points.
-Hdf5Table<double> table_of(const Points& points);
-Points points_of(const Hdf5Table<double>& table);
-/// The first `count` rotations, each as w, x, y, z.
-Hdf5Table<double> table_of(const std::vector<Quat>& rotations, Index count);
-std::vector<Quat> rotations_of(const Hdf5Table<double>& table);
-
 /// Writes a group that holds all of a progress, bit for bit, in units of the wire. What was there
 /// is replaced.
 void write_checkpoint(hid_t file, const std::string& group, const PackingProgress& progress);

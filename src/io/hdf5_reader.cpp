@@ -15,6 +15,7 @@
 #include "hdf5_checksum.hpp"
 #include "hdf5_safety.hpp"
 #include "hdf5_values.hpp"
+#include "progress_tables.hpp"
 #include "result_format.hpp"
 #include "saved_values.hpp"
 

@@ -15,6 +15,7 @@
 #include "hdf5_image.hpp"
 #include "hdf5_safety.hpp"
 #include "hdf5_values.hpp"
+#include "progress_tables.hpp"
 #include "result_format.hpp"
 
 namespace wirepack {

@@ -30,7 +30,7 @@ SlipWork start_friction(PackingModel& model, const RodState& rod, const Observat
 }
 
 Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod,
-                        bool leave_saddles) {
+                        Saddles saddles) {
   const RodState fed = rod;
   Equilibrium found;
   SolverWork work;
@@ -44,7 +44,7 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
     return true;
   };
   bool repeated = false;
-  int saddles = 0;
+  int saddles_met = 0;
   while (settle()) {
     const auto joined = join_friction(model, before, rod, found.observed);
     if (joined.count > 0) {
@@ -60,8 +60,8 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
                                     found.observed.wall_forces);
       continue;
     }
-    if (!leave_saddles) break;
-    if (saddles++ == most_saddles) {
+    if (saddles == Saddles::kept) break;
+    if (saddles_met++ == most_saddles) {
       found.report.stable = false;  // this one is not tested, and counts as a saddle
       break;
     }

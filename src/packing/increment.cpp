@@ -89,9 +89,9 @@ double length_of_increment(const PackingModel& model, const PackingProgress& fro
 // Finds the equilibrium. Friction has started at `before`. Books evaluations, failure and the work
 // against friction in the trial.
 Equilibrium come_to_rest(PackingModel& model, const RodState& before, const SlipWork& at_start,
-                         bool leave_saddles, Trial& trial) {
+                         Saddles saddles, Trial& trial) {
   PackingProgress& next = trial.progress;
-  const Equilibrium found = equilibrate(model, before, next.rod, leave_saddles);
+  const Equilibrium found = equilibrate(model, before, next.rod, saddles);
   trial.work += found.report.work;
   next.rollbacks += found.report.work.rounds_taken_back;
   trial.failure = failure_of(found.report);
@@ -181,7 +181,7 @@ FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from) {
   const RodState before = next.rod;
   const SlipWork at_start = start_friction(model, next);
   // no increment ends here, so whether this is a saddle is left to the next equilibrium
-  const Equilibrium found = come_to_rest(model, before, at_start, false, start.split);
+  const Equilibrium found = come_to_rest(model, before, at_start, Saddles::kept, start.split);
   if (start.split.failure) {
     if (split_is_due(from.rod, latest_split * model.wire.edge_length)) return start;
     next = from;
@@ -207,7 +207,7 @@ Trial attempt_increment(PackingModel& model, const FeedStart& start, double long
   const RodState before = next.rod;
   const SlipWork at_start = start_friction(model, next);
   const Fed fed = feed(model, length, trial);
-  const Equilibrium found = come_to_rest(model, before, at_start, true, trial);
+  const Equilibrium found = come_to_rest(model, before, at_start, Saddles::left, trial);
   if (trial.failure) return trial;
 
   HistoryRow row = record(model, next, found);

@@ -26,18 +26,10 @@ List group_starts(const Eigen::SparseMatrix<double>& lower) {
   return result;
 }
 
-List groups_by_column(const List& starts) {
-  List group_of(at(starts.back()));
-  for (int g = 0; g + 1 < static_cast<int>(starts.size()); ++g) {
-    std::fill(group_of.begin() + starts[at(g)], group_of.begin() + starts[at(g) + 1], g);
-  }
-  return group_of;
-}
-
 // Which groups are coupled, both ways.
 Graph group_graph(const Eigen::SparseMatrix<double>& lower, const List& starts) {
   const int groups = static_cast<int>(starts.size()) - 1;
-  const List group_of = groups_by_column(starts);
+  const List group_of = group_of_columns(starts);
   const auto for_each_edge = [&](auto&& f) {
     for (int g = 0; g < groups; ++g) {
       f(g, g);
@@ -74,6 +66,12 @@ ColumnGroups column_groups(const Eigen::SparseMatrix<double>& lower) {
   return {std::move(starts), std::move(graph)};
 }
 
-List group_of_columns(const ColumnGroups& groups) { return groups_by_column(groups.start); }
+List group_of_columns(const List& start) {
+  List group_of(at(start.back()));
+  for (int g = 0; g + 1 < static_cast<int>(start.size()); ++g) {
+    std::fill(group_of.begin() + start[at(g)], group_of.begin() + start[at(g + 1)], g);
+  }
+  return group_of;
+}
 
 }  // namespace wirepack

@@ -35,7 +35,7 @@ struct ColumnGroups {
 /// `lower`: a lower triangle with sorted columns.
 ColumnGroups column_groups(const Eigen::SparseMatrix<double>& lower);
 
-/// The group of each column.
-std::vector<int> group_of_columns(const ColumnGroups& groups);
+/// The group of each column, from the groups' starts.
+std::vector<int> group_of_columns(const std::vector<int>& start);
 
 }  // namespace wirepack

@@ -17,7 +17,7 @@ std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
 // The groups in the order of their first unknowns.
 List groups_in(const List& unknowns, const ColumnGroups& groups) {
-  const List group_of = group_of_columns(groups);
+  const List group_of = group_of_columns(groups.start);
   std::vector<bool> placed(at(groups.size()), false);
   List order;
   for (const int unknown : unknowns) {

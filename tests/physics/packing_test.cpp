@@ -99,8 +99,6 @@ TEST(Packing, HalfEdgesReadTheMeanForceOfEighths) {
   EXPECT_NEAR(mean_force(scenario.wire.edge_length / 2), mean, 0.015 * mean);
 }
 
-// At a density of 0.83 a short inlet edge under a strand is too stiff for the round-off of the
-// energy.
 // A force that turns around from one evaluation to the next while the inlet edge is short, so that
 // no search comes to rest.
 struct UnrestAtShortInlets {

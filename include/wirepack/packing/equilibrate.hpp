@@ -17,10 +17,12 @@ struct Equilibrium {
 SlipWork start_friction(PackingModel& model, const RodState& rod, const Observation& observed,
                         std::span<const SlipMemory> memory);
 
+enum class Saddles { left, kept };
+
 /// Brings `rod`, fed from the equilibrium `before`, to a minimum. Repeats the minimization until no
 /// new contact joins: with friction, contacts that form on the way rub from where they came into
-/// touch. Saddles are left, or not looked for: `report.stable` tells nothing then.
+/// touch. Where saddles are kept, the end may be one and `report.stable` tells nothing.
 Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod,
-                        bool leave_saddles = true);
+                        Saddles saddles = Saddles::left);
 
 }  // namespace wirepack
