@@ -1,5 +1,5 @@
 // Lets go of the friction in a packing: relax_without_friction RESULT.h5 [INCREMENT]. The wire of
-// the last frame, or of that of an increment, comes to rest at its length.
+// the last frame, or of that of an increment, finds its equilibrium at its length.
 #include <cstdio>
 #include <exception>
 
@@ -45,11 +45,13 @@ int relax(const Hdf5Reader& result, const std::string& increment) {
   print("with friction", model, packed);
   print("relaxed", model, relaxed);
   const double move = (relaxed.nodes - packed.nodes).colwise().norm().maxCoeff();
-  const bool at_rest = found.report.end == EquilibriumEnd::converged;
-  const char* end = !at_rest ? "no equilibrium" : found.report.stable ? "a minimum" : "a saddle";
+  const bool in_equilibrium = found.report.end == EquilibriumEnd::converged;
+  const char* end = !in_equilibrium       ? "no equilibrium"
+                    : found.report.stable ? "a minimum"
+                                          : "a saddle";
   std::printf("farthest move %.4g a, residual %.2g, %s\n", move / model.wire.radius,
               found.report.residual, end);
-  return at_rest && found.report.stable ? 0 : 3;
+  return in_equilibrium && found.report.stable ? 0 : 3;
 }
 
 int report(const std::exception& error, int code) {

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/value_problems.hpp"
 #include "wirepack/observe/coil_report.hpp"
 #include "wirepack/observe/knot.hpp"
 #include "wirepack/observe/loop_sizes.hpp"
@@ -20,23 +21,33 @@ namespace {
 
 using py::literals::operator""_a;
 
+Points nodes_of(const Positions& position, bool closed) {
+  const Index fewest = closed ? 3 : 2;
+  if (position.rows() < fewest) {
+    throw InvalidInput(
+        fmt::format("position has {} rows: must be at least {}", position.rows(), fewest));
+  }
+  if (!position.allFinite()) throw InvalidInput("position: must be finite numbers");
+  return position.transpose();
+}
+
 RodState rod(const Positions& position, bool closed = false) {
-  return make_rod(position.transpose(), {}, {.closed = closed});
+  return make_rod(nodes_of(position, closed), {}, {.closed = closed});
 }
 
 void require_positive(double value, const char* name) {
-  if (value > 0) return;
-  throw InvalidInput(fmt::format("{} = {}: must be above 0", name, value));
+  if (is_positive(value)) return;
+  throw InvalidInput(fmt::format("{} = {}: {}", name, value, must_be_positive));
 }
 
 double writhe_of(const Positions& position, bool closed, int threads) {
   const Threads shared(threads);
-  return crossing_sums(position.transpose(), closed).writhe;
+  return crossing_sums(nodes_of(position, closed), closed).writhe;
 }
 
 double average_crossings(const Positions& position, bool closed, int threads) {
   const Threads shared(threads);
-  return crossing_sums(position.transpose(), closed).average_crossing_number;
+  return crossing_sums(nodes_of(position, closed), closed).average_crossing_number;
 }
 
 double twist(const Positions& position, const Quaternions& quaternion, bool closed) {
@@ -47,12 +58,15 @@ double twist(const Positions& position, const Quaternions& quaternion, bool clos
 }
 
 std::tuple<std::string, std::uint32_t, Index> knot(const Positions& position, bool closed) {
-  const Points nodes = position.transpose();
+  const Points nodes = nodes_of(position, closed);
   const KnotType found = knot_type(closed ? nodes : closed_outside(nodes));
   return {found.name, found.determinant, found.crossings};
 }
 
 std::map<std::string, double> coils(const Positions& position, const Vec3& feed, int threads) {
+  if (!feed.allFinite() || feed.isZero(0)) {
+    throw InvalidInput("feed: must be three finite numbers, not all 0");
+  }
   const Threads shared(threads);
   const CoilReport found = coil_report(rod(position), feed.normalized());
   return {{"axis_order", found.axis_order},

@@ -186,7 +186,7 @@ std::string fault_of(const EquilibriumReport& report) {
   return report.stable ? "" : "no minimum: a saddle that could not be left";
 }
 
-// A wire can come to rest in a nozzle where it ends, with edges of this scenario.
+// A wire can have an equilibrium in a nozzle where it ends, with edges of this scenario.
 void require_in_nozzle(const PackingModel& model, const RodState& rod) {
   const double off = (rod.nodes.rightCols<1>() - model.nozzle.position).norm();
   if (!(off < 1e-6 * model.wire.radius)) {
@@ -201,7 +201,7 @@ void require_in_nozzle(const PackingModel& model, const RodState& rod) {
 }
 
 // The minimum that a wire comes to from these positions without friction, and what kept it from
-// one: nothing, if it is at rest.
+// one: nothing, if it is in equilibrium.
 std::tuple<py::dict, std::string> relaxed(const Configuration& config, const Positions& position,
                                           const std::optional<Quaternions>& quaternion,
                                           std::optional<double> inserted_length, int threads) {

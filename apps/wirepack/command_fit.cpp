@@ -192,10 +192,10 @@ int fit(const Options& options) {
     throw InvalidInput(options.points + ": " + error.what());
   }
   if (!result.converged) {
-    throw NumericalFailure(options.points + ": the fit does not come to rest; no shape is written");
+    throw NumericalFailure(options.points + ": the fit does not converge; no shape is written");
   }
-  write_shape(shape, result, {options.points, options.command_line});
   if (!options.figures.empty()) draw_fit(options.figures, points, result);
+  write_shape(shape, result, {options.points, options.command_line});
   std::fputs((options.json ? json_text(result, points, options.model)
                            : table(result, points, options.model))
                  .c_str(),

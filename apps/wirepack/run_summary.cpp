@@ -63,15 +63,19 @@ std::string steps_in_time(const RecordedRun& run) {
          line("time steps", fmt::format("{}", run.progress.work.evaluations));
 }
 
+std::string counts(const SolverWork& work) {
+  std::string text;
+  for (const auto& entry : work_counts) {
+    text += line(entry.label, fmt::format("{}", work.*entry.value));
+  }
+  return text;
+}
+
 std::string minimizations(const RecordedRun& run, const Scenario& scenario) {
   const PackingProgress& progress = run.progress;
   const SolverWork& work = progress.work;
   return line("snaps", fmt::format("{}", progress.snaps)) +
-         line("rollbacks", fmt::format("{}", progress.rollbacks)) +
-         line("evaluations", fmt::format("{}", work.evaluations)) +
-         line("factorizations", fmt::format("{}", work.factorizations)) +
-         line("  rounds taken back", fmt::format("{}", work.rounds_taken_back)) +
-         line("neighbor lists made", fmt::format("{}", work.list_builds)) +
+         line("rollbacks", fmt::format("{}", progress.rollbacks)) + counts(work) +
          line("largest residual",
               fmt::format("{:.3g} YI/R^2 (tolerance {:.3g})", run.totals.largest_residual,
                           scenario.minimizer.tolerance));
@@ -79,19 +83,17 @@ std::string minimizations(const RecordedRun& run, const Scenario& scenario) {
 
 // What the time was spent on.
 std::string shares_of_time(const SolverWork& work, double whole) {
-  double rest = whole;
   const auto share = [&](std::string_view name, double seconds) {
-    rest -= seconds;
-    return line(name, fmt::format("{:.2f} s, {:.0f} %", seconds, 100 * seconds / whole));
+    return line(fmt::format("  {}", name),
+                fmt::format("{:.2f} s, {:.0f} %", seconds, 100 * seconds / whole));
   };
-  std::string text = share("  energies", work.energy_seconds);
-  text += share("  neighbor lists", work.list_seconds);
-  text += share("  chart", work.chart_seconds);
-  text += share("  triangular solves", work.solve_seconds);
-  text += share("  factorizations", work.factorization_seconds);
-  text += share("  L-BFGS", work.descent_seconds);
-  text += share("  passages of strands", work.passage_seconds);
-  return text + share("  all else", rest);
+  std::string text;
+  double rest = whole;
+  for (const auto& entry : work_seconds) {
+    text += share(entry.label, work.*entry.value);
+    rest -= work.*entry.value;
+  }
+  return text + share("all else", rest);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ Vec3 semi_axes_of(const Cavity& cavity) {
   return cavity.semi_axes ? *cavity.semi_axes : Vec3::Constant(cavity.radius);
 }
 
-double sharpest_bend(const Cavity& cavity) {
+double smallest_wall_radius(const Cavity& cavity) {
   const Vec3 axes = semi_axes_of(cavity);
   return axes.minCoeff() * axes.minCoeff() / axes.maxCoeff();
 }

@@ -10,7 +10,7 @@
 
 namespace wirepack {
 
-DynamicState at_rest(RodState rod, double step) {
+DynamicState without_velocity(RodState rod, double step) {
   DynamicState state;
   state.nodes = GearValues::Zero(rod.nodes.size(), 6);
   state.nodes.col(0) = rod.nodes.reshaped();

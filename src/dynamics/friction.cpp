@@ -66,7 +66,6 @@ FrictionReport add_friction(const StickSlipLaw& law, std::span<const Touch> touc
     if (anchor.sliding) {
       force *= kinetic / size;
       anchor.spring = -(force + drag) / stiffness;
-      ++report.sliding;
     }
     touch.slip.add_force(-force, gradient.node, gradient.frame);
     report.power += force.dot(rate);

@@ -1,10 +1,12 @@
 #include "curve_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
 #include <vector>
 
+#include "block_means.hpp"
 #include "cannot_tell.hpp"
 #include "curve_places.hpp"
 #include "fit_uncertainty.hpp"
@@ -16,6 +18,8 @@
 namespace wirepack {
 
 namespace {
+
+constexpr Index fewest_means = 12;
 
 CurveSolution refined(const MeasuredPoints& points, CurveSolution solution) {
   for (int round = 0; round < 3; ++round) {
@@ -41,6 +45,17 @@ void check_turns(const FitStart& start, const CurveSolution& solution) {
       turns));
 }
 
+// The curve nearest to the points that is found from these starts.
+CurveSolution solved(const MeasuredPoints& points, const FitOptions& options,
+                     std::vector<FitStart>& starts) {
+  for (FitStart& start : starts) keep_arcs(points, start);
+  CurveSolution solution = solved_from_best(points, starts);
+  if (options.robust) return refined(points, std::move(solution));
+  if (solution.converged) return solution;
+  // a start beside which points far off pull less
+  return solve_curve(points, continued(refined(points, std::move(solution))));
+}
+
 std::vector<FitStart> starts_of(const MeasuredPoints& points, const FitOptions& options,
                                 bool order_may_be_wrong) {
   if (options.model == ShapeModel::circle) return {circle_start(points)};
@@ -60,15 +75,17 @@ std::vector<FitStart> starts_of(const MeasuredPoints& points, const FitOptions& 
 CurveSolution nearest_curve(const MeasuredPoints& points, const FitOptions& options,
                             bool order_may_be_wrong) {
   std::vector<FitStart> starts = starts_of(points, options, order_may_be_wrong);
-  for (FitStart& start : starts) keep_arcs(points, start);
-  CurveSolution solution = solved_from_best(points, starts);
-  if (options.robust) {
-    solution = refined(points, std::move(solution));
-  } else if (!solution.converged) {
-    // a start beside which points far off pull less
-    solution = solve_curve(points, continued(refined(points, std::move(solution))));
+  CurveSolution solution = solved(points, options, starts);
+  if (options.model == ShapeModel::spline) {
+    // Points that scatter as far as they are apart make a zigzag, which a spline must not follow:
+    // it starts from means of more and more of them.
+    for (Index means = std::min(points.count(), most_block_means) / 2;
+         !solution.converged && means >= fewest_means; means /= 2) {
+      starts = {spline_start(points, options.intervals, means)};
+      solution = solved(points, options, starts);
+    }
+    check_turns(starts.front(), solution);
   }
-  if (options.model == ShapeModel::spline) check_turns(starts.front(), solution);
   return solution;
 }
 

@@ -93,7 +93,7 @@ class PointCost : public ceres::CostFunction {
 
 // No direction of the unknowns lets the residuals fall noticeably: each column of the Jacobian is
 // normal to them, or they, or what it could take from them, are nothing but round-off.
-bool at_rest(const Residuals& residuals, const RowMajor& jacobian, double huber) {
+bool is_solved(const Residuals& residuals, const RowMajor& jacobian, double huber) {
   const Eigen::VectorXd distances = residuals.weighted_distances();
   Eigen::VectorXd bounded(jacobian.rows());
   double unweighted = 0, largest_weight = 0;
@@ -195,7 +195,7 @@ CurveSolution solve_curve(const MeasuredPoints& points, const FitStart& start, d
   }
   const bool finite = solution.jacobian.allFinite() && solution.weighted_distance.allFinite();
   if (!finite) solution.cost = std::numeric_limits<double>::infinity();
-  solution.converged = finite && at_rest(residuals, residuals.jacobian(), huber);
+  solution.converged = finite && is_solved(residuals, residuals.jacobian(), huber);
   return solution;
 }
 

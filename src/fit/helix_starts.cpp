@@ -229,7 +229,7 @@ double best_winding(const Cylinder& cylinder) {
 }
 
 std::optional<AxisHelix> helix_about(const MeasuredPoints& points, const BlockMeans& blocks,
-                                     Vec3 axis) {
+                                     const Vec3& axis) {
   auto cylinder = cylinder_about(points.position, axis);
   if (!cylinder) return std::nullopt;
   AxisHelix helix{cylinder->axes, {}, cylinder->circle.radius, 0, {}};
@@ -240,8 +240,12 @@ std::optional<AxisHelix> helix_about(const MeasuredPoints& points, const BlockMe
       of_blocks[b] = std::atan2(local(1, b) - cylinder->circle.y, local(0, b) - cylinder->circle.x);
     }
     helix.phi = unwrapped(cylinder->angle, of_blocks, blocks.of_point);
-    if (helix.phi[helix.phi.size() - 1] < helix.phi[0]) {  // arcs grow along the order
-      return helix_about(points, blocks, -axis);
+    if (helix.phi[helix.phi.size() - 1] < helix.phi[0]) {
+      // arcs grow along the order, so the axis points the other way
+      helix.axes.rightCols<2>() *= -1;
+      helix.phi *= -1;
+      cylinder->circle.y *= -1;
+      cylinder->height *= -1;
     }
   } else {
     const double winding = best_winding(*cylinder);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 #include <vector>
 
 #include "index_lists.hpp"
@@ -34,16 +35,29 @@ bool scatters_along_binormal(const CurveSolution& solution) {
   return binormal_share(solution) > 1 + 2 * clear / std::sqrt(double(solution.feet.size()));
 }
 
-}  // namespace
-
-double neighbour_correlation(const CurveSolution& solution) {
-  const std::vector<Index> order = order_by(solution.feet);
+// Of the residuals of points that follow on each other in an order.
+double correlation_in(const std::vector<Index>& order, const CurveSolution& solution) {
   double product = 0;
   for (std::size_t k = 1; k < order.size(); ++k) {
     product += solution.residual.col(order[k - 1]).dot(solution.residual.col(order[k]));
   }
   const double squares = solution.residual.squaredNorm();
   return squares > 0 ? product / squares : 0;
+}
+
+// A curve that is far off mixes points of several turns along it; in the order of the wire its
+// residuals still go together.
+double list_correlation(const MeasuredPoints& points, const CurveSolution& solution) {
+  if (!points.ordered) return 0;
+  std::vector<Index> order(static_cast<std::size_t>(points.count()));
+  std::iota(order.begin(), order.end(), Index{0});
+  return correlation_in(order, solution);
+}
+
+}  // namespace
+
+double neighbour_correlation(const CurveSolution& solution) {
+  return correlation_in(order_by(solution.feet), solution);
 }
 
 std::string misfit_of(ShapeModel model, const MeasuredPoints& points, const CurveSolution& solution,
@@ -57,7 +71,8 @@ std::string misfit_of(ShapeModel model, const MeasuredPoints& points, const Curv
       return fmt::format("chi_square is {:.3g} per degree of freedom", share);
     }
   }
-  const double correlation = neighbour_correlation(solution);
+  const double correlation =
+      std::max(neighbour_correlation(solution), list_correlation(points, solution));
   if (correlation * std::sqrt(n) > 3 && correlation > 0.3) {
     return fmt::format(
         "neighbouring points lie off to the same side (their residuals have a correlation of "

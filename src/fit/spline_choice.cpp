@@ -60,16 +60,20 @@ FitStart best_start(const MeasuredPoints& points, const BlockMeans& blocks,
   return points.arc.size() > 0 ? start : held_start(points, start);
 }
 
-FitStart start_of_part(const MeasuredPoints& points, const std::optional<Index>& intervals) {
-  const BlockMeans blocks = block_means(points);
+FitStart start_of_part(const MeasuredPoints& points, const std::optional<Index>& intervals,
+                       Index most_means = most_block_means) {
+  const BlockMeans blocks = block_means(points, most_means);
   const std::vector<StartLine> lines{smoothed_line(blocks.points), line_through(blocks.points)};
   return best_start(points, blocks, lines, intervals);
 }
 
 }  // namespace
 
-FitStart spline_start(const MeasuredPoints& points, const std::optional<Index>& intervals) {
-  if (points.arc.size() > 0) return start_of_part(points, intervals);
+FitStart spline_start(const MeasuredPoints& points, const std::optional<Index>& intervals,
+                      Index most_means) {
+  // a zigzag would count as turns of a coil, which its parts are found by
+  const bool one_part = points.arc.size() > 0 || most_means < most_block_means;
+  if (one_part) return start_of_part(points, intervals, most_means);
   constexpr Index most = 10 * most_block_means, of_turn = 16;
   const BlockMeans fine = block_means(points, most);
   std::optional<LineOfParts> found = line_of_parts(fine.points, [](const MeasuredPoints& part) {

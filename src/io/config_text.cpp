@@ -65,12 +65,25 @@ void collect_keys(const toml::table& table, const std::string& section, const st
 }
 
 void collect(const toml::table& root, const std::string& source, ConfigText& result) {
+  if (root["shape"]["model"] && !root.contains("cavity")) {
+    throw InvalidInput(source +
+                       ": is the shape of a wire, for wire.reference_shape; a configuration "
+                       "has sections such as [cavity]");
+  }
   std::vector<Placed> found;
   std::vector<std::tuple<std::uint32_t, std::uint32_t, GivenSection>> sections;
   for (const auto& [section, node] : root) {
     const std::string section_name = shown_name(section.str());
     const toml::source_position at = section.source().begin;
     const toml::table* table = node.as_table();
+    if (node.is_array_of_tables() && is_section(section_name, config_keys())) {
+      const char* const one =
+          section_name == "wire" ? "several wires are not possible" : "there is one of them";
+      result.problems.push_back(fmt::format("{}: [[{}]]: {}; write [{}]",
+                                            place(source, section.source()), section_name, one,
+                                            section_name));
+      continue;
+    }
     if (table == nullptr) {
       result.problems.push_back(
           fmt::format("{}: {} = {}: is outside of a section; every key belongs to one, such as "

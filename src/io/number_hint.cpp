@@ -1,9 +1,12 @@
 #include "number_hint.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+
+#include "trimmed.hpp"
 
 namespace wirepack {
 
@@ -25,7 +28,15 @@ std::string number_hint(std::string_view word) {
   const char* begin = text.data() + (!text.empty() && text.front() == '+' ? 1 : 0);
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(begin, end, number);
-  if (read.ec != std::errc() || read.ptr != end || !std::isfinite(number)) return {};
+  if (read.ec != std::errc() || !std::isfinite(number)) return {};
+  const std::string_view behind = trimmed({read.ptr, end});
+  if (!behind.empty()) {
+    const bool is_unit = std::all_of(behind.begin(), behind.end(), [](unsigned char c) {
+      return std::isalpha(c) != 0 || c > 127;  // such as micrometres in UTF-8
+    });
+    if (!is_unit || behind == "e" || behind == "E") return {};
+    reason += " (a number has no unit behind it)";
+  }
   return fmt::format("; write {:.15g}{}", number * scale, reason);
 }
 

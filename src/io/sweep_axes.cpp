@@ -194,6 +194,11 @@ SweepAxis cases_of(const toml::table& table, const std::string& source, Problems
                       place(source, node.source()), shown));
       continue;
     }
+    if (shown.empty()) {
+      problems.push_back(
+          fmt::format("{}: sweep.cases: a case must have a name", place(source, node.source())));
+      continue;
+    }
     cases.emplace_back(name.source().begin.line, name.source().begin.column, shown, values);
   }
   std::sort(cases.begin(), cases.end());

@@ -49,7 +49,12 @@ void require_shallow(std::string_view text, const std::string& source) {
   }
 }
 
-// What a line gives where it cannot be read, if that was meant as a number.
+bool is_bare_word(std::string_view value) {
+  return !value.empty() && std::isalpha(static_cast<unsigned char>(value.front())) != 0 &&
+         std::all_of(value.begin(), value.end(), is_of_word);
+}
+
+// What a line gives where it cannot be read, if that was meant as a number or a word.
 std::string line_hint(std::string_view text, std::uint32_t line) {
   for (std::uint32_t i = 1; i < line && !text.empty(); ++i) {
     text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
@@ -59,10 +64,12 @@ std::string line_hint(std::string_view text, std::uint32_t line) {
   if (equals == std::string_view::npos) return {};
   const std::string_view name = trimmed(text.substr(0, equals));
   const std::string_view value = trimmed(text.substr(equals + 1));
+  const std::string given = fmt::format("{} = {}", plain_text(name, bytes_in_a_message),
+                                        plain_text(value, bytes_in_a_message));
+  if (is_bare_word(value))
+    return fmt::format("{}: words are in quotes; write \"{}\"", given, value);
   const std::string hint = number_hint(value);
-  if (hint.empty()) return {};
-  return fmt::format("{} = {}: is no number{}", plain_text(name, bytes_in_a_message),
-                     plain_text(value, bytes_in_a_message), hint);
+  return hint.empty() ? std::string() : fmt::format("{}: is no number{}", given, hint);
 }
 
 }  // namespace
@@ -75,10 +82,16 @@ toml::table toml_table(std::string_view text, const std::string& source) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    const bool again = error.description().find("redefine") != std::string_view::npos;
-    const std::string hint = again ? "" : line_hint(text, error.source().begin.line);
-    throw InvalidInput(fmt::format("{}: {}", place(source, error.source()),
-                                   hint.empty() ? plain_text(error.description(), 300) : hint));
+    const std::string_view said = error.description();
+    const auto says = [&](std::string_view part) { return said.find(part) != said.npos; };
+    std::string problem;
+    if (says("utf-8")) {
+      problem = "is not UTF-8; save the text as UTF-8";
+    } else if (!says("redefine")) {
+      problem = line_hint(text, error.source().begin.line);
+    }
+    if (problem.empty()) problem = plain_text(said, 300);
+    throw InvalidInput(fmt::format("{}: {}", place(source, error.source()), problem));
   }
 }
 

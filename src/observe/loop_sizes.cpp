@@ -31,8 +31,7 @@ std::vector<Bend> bends(const RodState& state) {
 
 std::vector<double> local_curvatures(const RodState& state) {
   std::vector<double> result;
-  for (const Bend& bend : bends(state))
-    result.push_back(2 * std::tan(bend.angle / 2) / bend.length);
+  for (const Bend& bend : bends(state)) result.push_back(bend.angle / bend.length);
   return result;
 }
 

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "wirepack/core/value_problems.hpp"
+
 #include "scenario_numbers.hpp"
 
 namespace wirepack {
 
 namespace {
-
-bool is_positive(double v) { return std::isfinite(v) && v > 0; }
 
 // `half` is half of the room for a wire's centreline, across the cavity where it is narrowest.
 void check_edge_length(const Scenario& scenario, double half, const std::string& room,
@@ -59,13 +59,15 @@ void check_ellipsoid(const Scenario& scenario, std::vector<std::string>& found) 
     found.push_back(text.str());
   } else if (!is_positive(a)) {
     return;
-  } else if (sharpest_bend(scenario.cavity) < 2 * a * (1 - round_off)) {
+  } else if (smallest_wall_radius(scenario.cavity) < 2 * a * (1 - round_off)) {
     text << "bend the wall to no less than twice wire.radius = " << a
-         << "; shortest^2 / longest is " << sharpest_bend(scenario.cavity);
+         << "; shortest^2 / longest is " << smallest_wall_radius(scenario.cavity);
     found.push_back(text.str());
   } else if (axes.maxCoeff() > 1000 * a * (1 + round_off)) {
     text << "be at most 1000 times wire.radius = " << a;
     found.push_back(text.str());
+  } else if (std::abs(std::cbrt(axes.prod()) / scenario.cavity.radius - 1) > round_off) {
+    found.push_back("cavity.radius: must be that of the sphere of the ellipsoid's volume");
   } else {
     check_edge_length(scenario, (axes.minCoeff() - a) / 2,
                       "the shortest of cavity.semi_axes - wire.radius", found);

@@ -11,10 +11,10 @@
 #include "wirepack/dynamics/gear_integrator.hpp"
 #include "wirepack/energy/energy_terms.hpp"
 #include "wirepack/feed/feeder.hpp"
-#include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
 #include "wirepack/packing/imperfection.hpp"
 #include "wirepack/packing/observation.hpp"
+#include "wirepack/packing/stop_rule.hpp"
 #include "wirepack/rod/rod_strain.hpp"
 #include "wirepack/solve/equilibrium.hpp"
 
@@ -163,8 +163,8 @@ UnstableIntegration::UnstableIntegration(double increment, double inserted_lengt
       inserted_length_(inserted_length),
       time_step_(time_step) {}
 
-struct DynamicPacking::Model : PackingModel {
-  explicit Model(const Scenario& configured)
+struct DynamicModel : PackingModel {
+  explicit DynamicModel(const Scenario& configured)
       : PackingModel(configured), values(dynamics_values(scenario)) {
     // a whole number of steps to an increment
     const double time = scenario.insertion.increment / values.insertion_speed;
@@ -181,7 +181,7 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
   progress_.rod = initial_wire(model_->nozzle, model_->wire, model_->wire.edge_length);
   settle(progress_.rod, held_by(model_->nozzle, progress_.rod), *model_);
   progress_.random_state = s.seed;
-  DynamicState state = at_rest(progress_.rod, model_->step);
+  DynamicState state = without_velocity(progress_.rod, model_->step);
   // All of the wire moves from the start.
   Points velocity = Points::Zero(3, progress_.rod.node_count());
   velocity.leftCols(progress_.rod.node_count() - 1).colwise() =
@@ -201,7 +201,7 @@ DynamicPacking::DynamicPacking(const Scenario& scenario)
 }
 
 DynamicPacking::DynamicPacking(const Scenario& scenario, PackingProgress progress)
-    : model_(std::make_unique<Model>(scenario)), progress_(std::move(progress)) {
+    : model_(std::make_unique<DynamicModel>(scenario)), progress_(std::move(progress)) {
   if (progress_.motion) {
     change_step(*progress_.motion, progress_.work.evaluations, model_->step);
   }
@@ -210,39 +210,43 @@ DynamicPacking::DynamicPacking(const Scenario& scenario, PackingProgress progres
 DynamicPacking::~DynamicPacking() = default;
 DynamicPacking::DynamicPacking(DynamicPacking&&) noexcept = default;
 
-Advance DynamicPacking::advance() {
-  PackingProgress next = progress_;
-  MotionProgress& moving = *next.motion;
-  const Nozzle& nozzle = model_->nozzle;
-  const double speed = model_->values.insertion_speed;
-  const double h = model_->step;
-  DynamicState state{next.rod, moving.nodes, moving.spins, moving.time, h, speed};
-  EquationOfMotion motion(forces_of(*model_), model_->scenario.density, held_by(nozzle, state.rod),
-                          state.rod);
-  Rates rates;
+namespace {
 
-  double left = model_->scenario.insertion.increment;
-  const auto end_at = [&](double length) {
-    left = std::min(left, length - progress_.last.inserted_length);
-  };
-  if (model_->scenario.stop.length) end_at(*model_->scenario.stop.length);
-  if (model_->scenario.stop.density) {
-    end_at(length_at_density(*model_->scenario.stop.density, model_->scenario.cavity,
-                             model_->wire.radius));
+// Work on the wire within an increment, what has dissipated it, and what splits of the inlet edge
+// took.
+struct Spent {
+  double insertion = 0, work = 0, friction = 0, viscous = 0, remeshing = 0;
+
+  // The trapezoid between the flows at both ends of a step.
+  void add_step(const EnergyFlow& before, const EnergyFlow& now, double step) {
+    insertion += step / 2 * (before.feed + now.feed);
+    work += step / 2 * (before.feed + before.medium + now.feed + now.medium);
+    friction += step / 2 * (before.friction + now.friction);
+    viscous += step / 2 * (before.viscous + now.viscous);
   }
-  const auto steps = std::max<std::int64_t>(1, std::llround(std::ceil(left / (speed * h) - 1e-6)));
-  const Index separation =
-      first_touching_neighbor({2 * model_->wire.radius, model_->wire.edge_length,
-                               model_->scenario.contact.excluded_arc_length});
+};
 
-  // Energies and powers now, without advancing the memory of friction.
-  const auto flow_now = [&] {
-    FrictionMemory unmoved = moving.friction;
-    motion.set_rates(state, unmoved, rates);
-    return motion.flow();
-  };
-  perturb(model_->scenario, state, next.random_state);
-  double work = 0, insertion = 0, friction = 0, viscous = 0, remeshing = 0;
+// Energies and powers at a state, without advancing the memory of friction.
+EnergyFlow flow_now(EquationOfMotion& motion, const DynamicState& state, FrictionMemory unmoved) {
+  Rates rates;
+  motion.set_rates(state, unmoved, rates);
+  return motion.flow();
+}
+
+std::int64_t steps_of_increment(const DynamicModel& model, double inserted_length) {
+  const double left =
+      length_within_limits(model.scenario, inserted_length, model.scenario.insertion.increment);
+  const double step = model.values.insertion_speed * model.step;
+  return std::max<std::int64_t>(1, std::llround(std::ceil(left / step - 1e-6)));
+}
+
+// Takes the steps of an increment; nothing if strands have passed through each other.
+std::optional<Spent> integrate(DynamicModel& model, std::int64_t steps, DynamicState& state,
+                               EquationOfMotion& motion, MotionProgress& moving) {
+  const Index separation = first_touching_neighbor(
+      {2 * model.wire.radius, model.wire.edge_length, model.scenario.contact.excluded_arc_length});
+  Spent spent;
+  Rates rates;
   RodState checked = state.rod;
   for (std::int64_t k = 1; k <= steps; ++k) {
     const EnergyFlow before = moving.flow;
@@ -250,63 +254,88 @@ Advance DynamicPacking::advance() {
         state,
         [&](const DynamicState& at, Rates& out) { motion.set_rates(at, moving.friction, out); },
         rates);
-    const EnergyFlow& now = moving.flow = motion.flow();
-    insertion += h / 2 * (before.feed + now.feed);
-    work += h / 2 * (before.feed + before.medium + now.feed + now.medium);
-    friction += h / 2 * (before.friction + now.friction);
-    viscous += h / 2 * (before.viscous + now.viscous);
-    if (split_is_due(state.rod, longest_inlet * model_->wire.edge_length)) {
+    moving.flow = motion.flow();
+    spent.add_step(before, moving.flow, state.step);
+    if (split_is_due(state.rod, longest_inlet * model.wire.edge_length)) {
       follow_nodes(state);
-      const EnergyFlow old = flow_now();
+      const EnergyFlow old = flow_now(motion, state, moving.friction);
       state.rod.twist_guide = joint_twists(state.rod);
-      split_moving_inlet(state, *model_);
-      motion.resize(state.rod, held_by(nozzle, state.rod));
-      moving.flow = flow_now();
-      remeshing += old.stored() - moving.flow.stored();
+      split_moving_inlet(state, model);
+      motion.resize(state.rod, held_by(model.nozzle, state.rod));
+      moving.flow = flow_now(motion, state, moving.friction);
+      spent.remeshing += old.stored() - moving.flow.stored();
     }
-    if (model_->scenario.contact_enabled && (k * passage_checks) % steps < passage_checks) {
-      if (!passed_pairs(checked, state.rod, separation).empty())
-        return {std::nullopt, StopReason::strands_passed};
+    if (model.scenario.contact_enabled && (k * passage_checks) % steps < passage_checks) {
+      if (!passed_pairs(checked, state.rod, separation).empty()) return std::nullopt;
       checked = state.rod;
     }
   }
+  return spent;
+}
+
+HistoryRow record(PackingModel& model, const PackingProgress& from, const RodState& rod,
+                  const Spent& spent, const EnergyFlow& flow) {
+  HistoryRow row = row_of(model, rod, observe(model, rod));
+  const double fed = row.inserted_length - from.last.inserted_length;
+  row.increment = from.last.increment + 1;
+  row.energy_total = flow.potential + flow.stick;
+  row.energy_kinetic = flow.kinetic;
+  row.force = spent.insertion / fed;
+  row.force_difference = (row.energy_total - from.last.energy_total) / fed;
+  row.scaled_force = row.force / force_unit(model.scenario);
+  row.work = spent.work;
+  row.viscous_dissipation = spent.viscous;
+  row.friction_dissipation = spent.friction - (flow.stick - from.motion->flow.stick);
+  row.wall_seconds = from.last.wall_seconds;
+  return row;
+}
+
+// Books the work. Throws where the energies of the increment do not add up.
+void account(const DynamicModel& model, const Spent& spent, const PackingProgress& from,
+             PackingProgress& next) {
+  HistoryRow& row = next.last;
+  next.balance.work += spent.work;
+  next.balance.friction += row.friction_dissipation;
+  next.balance.viscous += spent.viscous;
+  next.balance.remeshing += spent.remeshing;
+  const double missing = residue(next.balance, row);
+  row.audit_residual = missing / next.balance.work;
+  const double change = missing - residue(from.balance, from.last);
+  const double fed = row.inserted_length - from.last.inserted_length;
+  const double turnover = std::abs(spent.work) + std::abs(spent.friction) + spent.viscous +
+                          force_unit(model.scenario) * fed;
+  if (!(std::abs(change) < unstable_share * turnover)) {
+    throw UnstableIntegration(row.increment, row.inserted_length, model.step);
+  }
+}
+
+}  // namespace
+
+Advance DynamicPacking::advance() {
+  PackingProgress next = progress_;
+  MotionProgress& moving = *next.motion;
+  DynamicState state{next.rod,    moving.nodes, moving.spins,
+                     moving.time, model_->step, model_->values.insertion_speed};
+  EquationOfMotion motion(forces_of(*model_), model_->scenario.density,
+                          held_by(model_->nozzle, state.rod), state.rod);
+  perturb(model_->scenario, state, next.random_state);
+  const std::int64_t steps = steps_of_increment(*model_, progress_.last.inserted_length);
+  const std::optional<Spent> spent = integrate(*model_, steps, state, motion, moving);
+  if (!spent) return {std::nullopt, StopReason::strands_passed};
+
   follow_nodes(state);
   state.rod.twist_guide = joint_twists(state.rod);
-  EnergyFlow flow = flow_now();
+  EnergyFlow flow = flow_now(motion, state, moving.friction);
   flow.stick = moving.flow.stick;
   next.rod = state.rod;
   moving.nodes = state.nodes;
   moving.spins = state.spins;
   moving.time = state.time;
   next.work.evaluations += steps;
-
-  HistoryRow row = row_of(*model_, next.rod, observe(*model_, next.rod));
-  const double fed = row.inserted_length - progress_.last.inserted_length;
-  row.increment = progress_.last.increment + 1;
-  row.energy_total = flow.potential + flow.stick;
-  row.energy_kinetic = flow.kinetic;
-  row.force = insertion / fed;
-  row.force_difference = (row.energy_total - progress_.last.energy_total) / fed;
-  row.scaled_force = row.force / force_unit(model_->scenario);
-  row.evaluations = static_cast<double>(steps);
-  row.time = state.time;
-  row.work = work;
-  row.viscous_dissipation = viscous;
-  row.friction_dissipation = friction - (moving.flow.stick - progress_.motion->flow.stick);
-  row.wall_seconds = progress_.last.wall_seconds;
-  next.balance.work += work;
-  next.balance.friction += row.friction_dissipation;
-  next.balance.viscous += viscous;
-  next.balance.remeshing += remeshing;
-  const double missing = residue(next.balance, row);
-  row.audit_residual = missing / next.balance.work;
-  const double change = missing - residue(progress_.balance, progress_.last);
-  const double turnover =
-      std::abs(work) + std::abs(friction) + viscous + force_unit(model_->scenario) * fed;
-  if (!(std::abs(change) < unstable_share * turnover)) {
-    throw UnstableIntegration(row.increment, row.inserted_length, model_->step);
-  }
-  next.last = row;
+  next.last = record(*model_, progress_, next.rod, *spent, flow);
+  next.last.evaluations = static_cast<double>(steps);
+  next.last.time = state.time;
+  account(*model_, *spent, progress_, next);
   note_force(model_->scenario, next);
   progress_ = std::move(next);
   return {progress_.last, limit_reached(model_->scenario, progress_)};

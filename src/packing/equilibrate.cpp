@@ -60,12 +60,12 @@ Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& r
                                     found.observed.wall_forces);
       continue;
     }
-    if (saddles == Saddles::kept) break;
+    if (saddles == Saddles::accept) break;
     if (saddles_met++ == most_saddles) {
       found.report.stable = false;  // this one is not tested, and counts as a saddle
       break;
     }
-    if (!leave_saddle(model, rod, found.report)) break;
+    if (!escape_saddle(model, rod, found.report)) break;
     work = found.report.work;
   }
   found.slip = model.friction.work(rod);

@@ -5,9 +5,9 @@
 
 #include "wirepack/core/random.hpp"
 #include "wirepack/feed/feeder.hpp"
-#include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/equilibrate.hpp"
 #include "wirepack/packing/observation.hpp"
+#include "wirepack/packing/stop_rule.hpp"
 
 namespace wirepack {
 
@@ -60,16 +60,10 @@ struct Fed {
   bool whole_edge;
 };
 
-double length_of_increment(const PackingModel& model, const PackingProgress& from, double longest) {
+double length_of_increment(const PackingModel& model, const PackingProgress& from, double part) {
   const Scenario& scenario = model.scenario;
-  double length = scenario.insertion.increment * longest;
-  const double inserted = from.last.inserted_length;
-  if (scenario.stop.length) length = std::min(length, *scenario.stop.length - inserted);
-  if (scenario.stop.density) {
-    const double end =
-        length_at_density(*scenario.stop.density, scenario.cavity, model.wire.radius);
-    length = std::min(length, end - inserted);
-  }
+  double length = length_within_limits(scenario, from.last.inserted_length,
+                                       scenario.insertion.increment * part);
   if (divides_edges(scenario.insertion.increment, model.wire)) {
     // A part of an increment ends at the next phase of the mesh at which whole increments end, or
     // before: other phases read another mean force.
@@ -88,8 +82,8 @@ double length_of_increment(const PackingModel& model, const PackingProgress& fro
 
 // Finds the equilibrium. Friction has started at `before`. Books evaluations, failure and the work
 // against friction in the trial.
-Equilibrium come_to_rest(PackingModel& model, const RodState& before, const SlipWork& at_start,
-                         Saddles saddles, Trial& trial) {
+Equilibrium find_equilibrium(PackingModel& model, const RodState& before, const SlipWork& at_start,
+                             Saddles saddles, Trial& trial) {
   PackingProgress& next = trial.progress;
   const Equilibrium found = equilibrate(model, before, next.rod, saddles);
   trial.work += found.report.work;
@@ -181,7 +175,7 @@ FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from) {
   const RodState before = next.rod;
   const SlipWork at_start = start_friction(model, next);
   // no increment ends here, so whether this is a saddle is left to the next equilibrium
-  const Equilibrium found = come_to_rest(model, before, at_start, Saddles::kept, start.split);
+  const Equilibrium found = find_equilibrium(model, before, at_start, Saddles::accept, start.split);
   if (start.split.failure) {
     if (split_is_due(from.rod, latest_split * model.wire.edge_length)) return start;
     next = from;
@@ -198,16 +192,16 @@ FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from) {
   return start;
 }
 
-Trial attempt_increment(PackingModel& model, const FeedStart& start, double longest) {
+Trial attempt_increment(PackingModel& model, const FeedStart& start, double longest_part) {
   const PackingProgress& from = start.split.progress;
-  const double length = length_of_increment(model, from, longest);
+  const double length = length_of_increment(model, from, longest_part);
   Trial trial{from, std::nullopt, true, length / model.scenario.insertion.increment, {}};
   PackingProgress& next = trial.progress;
 
   const RodState before = next.rod;
   const SlipWork at_start = start_friction(model, next);
   const Fed fed = feed(model, length, trial);
-  const Equilibrium found = come_to_rest(model, before, at_start, Saddles::left, trial);
+  const Equilibrium found = find_equilibrium(model, before, at_start, Saddles::escape, trial);
   if (trial.failure) return trial;
 
   HistoryRow row = record(model, next, found);

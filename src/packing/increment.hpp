@@ -32,9 +32,9 @@ struct FeedStart {
 // from one split.
 FeedStart ready_to_feed(PackingModel& model, const PackingProgress& from);
 
-// One increment of at most `longest` times the configured length, in four stages: feed,
+// One increment of at most `longest_part` times the configured length, in four stages: feed,
 // equilibrate, account for the work, record the row.
-Trial attempt_increment(PackingModel& model, const FeedStart& start, double longest);
+Trial attempt_increment(PackingModel& model, const FeedStart& start, double longest_part);
 
 // Rest length of the inlet edge at which whole edges are fed.
 double inlet_at_start(const RodParams& wire);

@@ -100,9 +100,9 @@ EquilibriumReport minimize(PackingModel& model, RodState& rod) {
   return report;
 }
 
-bool leave_saddle(PackingModel& model, RodState& rod, EquilibriumReport& report) {
-  return leave_saddle(rod, held_unknowns(model, rod), model.terms, model.options,
-                      off_saddle * model.wire.radius, report);
+bool escape_saddle(PackingModel& model, RodState& rod, EquilibriumReport& report) {
+  return escape_saddle(rod, held_unknowns(model, rod), model.terms, model.options,
+                       off_saddle * model.wire.radius, report);
 }
 
 SolverWork settle_tip(PackingModel& model, RodState& rod) {

@@ -18,8 +18,8 @@ constexpr double resolving_substep = 1.0 / 8;
 
 constexpr double rounding = 1e-9;  // relative, of a part of an increment
 
-// The part to try after one that failed. What was tried may have been shorter than asked for, up to
-// a phase of the mesh or the end of the run; the next is shorter still.
+// The part to try after one that failed. The trial may have ended early, at a phase of the mesh or
+// the end of the run, so this halves until the next one is really shorter.
 double less_than(double tried, double substep) {
   do {
     substep /= 2;
@@ -35,7 +35,7 @@ QuasistaticPacking::QuasistaticPacking(const Scenario& scenario, const EnergyTer
   progress_.random_state = scenario.seed;
   const EquilibriumReport start = minimize(*model_, progress_.rod);
   if (start.end != EquilibriumEnd::converged) {
-    throw NumericalFailure("the first two edges in the nozzle do not come to rest");
+    throw NumericalFailure("the first two edges in the nozzle have no equilibrium");
   }
   progress_.last = row_of(*model_, progress_.rod, observe(*model_, progress_.rod));
   progress_.last.energy_total = start.energy;
@@ -72,6 +72,7 @@ Advance QuasistaticPacking::advance() {
       failure = trial.failure;
     } else {
       from.substep = less_than(trial.part, from.substep);
+      // a trial that is repeated teaches only how far off whole edges are
       from.work_errors.edge_scatter = trial.progress.work_errors.edge_scatter;
       if (trial.failure) ++from.rollbacks;
     }

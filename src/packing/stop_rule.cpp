@@ -1,5 +1,9 @@
 #include "wirepack/packing/stop_rule.hpp"
 
+#include <algorithm>
+
+#include "wirepack/observe/packing_density.hpp"
+
 namespace wirepack {
 
 std::string_view name_of(StopReason reason) {
@@ -43,6 +47,16 @@ std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryR
 std::optional<StopReason> reached_limit(const Scenario& scenario, const PackingProgress& progress) {
   return reached_limit(scenario, progress.last,
                        mean_force(scenario.wire.edge_length, progress.recent_forces));
+}
+
+double length_within_limits(const Scenario& scenario, double inserted_length, double length) {
+  const StopLimits& stop = scenario.stop;
+  if (stop.length) length = std::min(length, *stop.length - inserted_length);
+  if (stop.density) {
+    const double end = length_at_density(*stop.density, scenario.cavity, scenario.wire.radius);
+    length = std::min(length, end - inserted_length);
+  }
+  return length;
 }
 
 }  // namespace wirepack

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "wirepack/observe/loop_sizes.hpp"
 #include "wirepack/observe/packing_density.hpp"
 
 namespace wirepack {
@@ -25,24 +26,24 @@ void add(std::vector<std::string>& found, const Parts&... parts) {
   found.push_back(text.str());
 }
 
-double sharpest_at_rest(const RodParams& wire) {
-  double sharpest = std::hypot(wire.rest_darboux.x(), wire.rest_darboux.y());
+double largest_at_rest(const RodParams& wire) {
+  double largest = std::hypot(wire.rest_darboux.x(), wire.rest_darboux.y());
   for (const DarbouxRow& row : wire.reference_shape.table.rows()) {
-    sharpest = std::max(sharpest, std::hypot(row.darboux.x(), row.darboux.y()));
+    largest = std::max(largest, std::hypot(row.darboux.x(), row.darboux.y()));
   }
-  return sharpest;
+  return largest;
 }
 
 void check_rest_shape(const Scenario& scenario, std::vector<std::string>& found) {
   const double a = scenario.wire.radius, radius = scenario.cavity.radius;
-  const double sharpest = sharpest_at_rest(scenario.wire);
-  if (sharpest * a > 1 + round_off) {
-    add(found, "at rest the wire bends to a radius of ", 1 / sharpest,
+  const double largest = largest_at_rest(scenario.wire);
+  if (largest * a > 1 + round_off) {
+    add(found, "at rest the wire bends to a radius of ", 1 / largest,
         ", tighter than its own, wire.radius = ", a);
   }
   const ReferenceShape& shape = scenario.wire.reference_shape;
-  if (shape.empty() || sharpest == 0 || sharpest * radius * other_unit > 1) return;
-  add(found, "wire.reference_shape bends to a radius of ", 1 / sharpest,
+  if (shape.empty() || largest == 0 || largest * radius * other_unit > 1) return;
+  add(found, "wire.reference_shape bends to a radius of ", 1 / largest,
       " at most, cavity.radius is ", radius, ": are both in the same unit of length?");
 }
 
@@ -54,6 +55,18 @@ void check_torsion(const Scenario& scenario, std::vector<std::string>& found) {
   add(found, "GJ = ", of_wire.twist, " is below two thirds of EI = ", of_wire.bend,
       ", as in no solid round wire: wire.poisson_ratio = ", scenario.wire.poisson_ratio,
       " is above 0.5");
+}
+
+void check_friction(const FrictionParams& friction, std::vector<std::string>& found) {
+  const FrictionParams plain;
+  if (friction.model != FrictionModel::none) return;
+  if (friction.static_coefficient == plain.static_coefficient &&
+      friction.dynamic_coefficient == plain.dynamic_coefficient &&
+      friction.slip_tolerance == plain.slip_tolerance) {
+    return;
+  }
+  add(found, "friction.model is none, so there is no friction: friction.static = ",
+      friction.static_coefficient, " and the other keys of [friction] have no effect");
 }
 
 void check_mesh(const Scenario& scenario, std::vector<std::string>& found) {
@@ -74,6 +87,7 @@ std::vector<std::string> warnings(const Scenario& scenario, double expected_leng
   std::vector<std::string> found;
   check_rest_shape(scenario, found);
   check_torsion(scenario, found);
+  check_friction(scenario.friction, found);
   check_mesh(scenario, found);
   const double density = packing_density(expected_length, scenario.cavity, scenario.wire.radius);
   const double frames = std::floor(density / scenario.output.frame_every_density) + 1;
@@ -93,22 +107,12 @@ std::vector<std::string> warnings(const Scenario& scenario, const PackingProgres
         " a that contacts are meant for; stiffer ones (contact.stiffness, cavity.wall_stiffness) "
         "overlap less");
   }
-  const double bend = sharpest_bend(progress.rod);  // in units of the wire
-  if (bend > 1 + round_off) {
-    add(found, "the wire ends bent to a radius of ", 1 / bend, " a, tighter than its own");
+  double curvature = 0;  // in units of the wire
+  for (const double local : local_curvatures(progress.rod)) curvature = std::max(curvature, local);
+  if (curvature > 1 + round_off) {
+    add(found, "the wire ends bent to a radius of ", 1 / curvature, " a, tighter than its own");
   }
   return found;
-}
-
-double sharpest_bend(const RodState& rod) {
-  double sharpest = 0;
-  for (Index i = 1; i + 1 < rod.node_count(); ++i) {
-    const Vec3 before = rod.nodes.col(i) - rod.nodes.col(i - 1);
-    const Vec3 after = rod.nodes.col(i + 1) - rod.nodes.col(i);
-    const double angle = std::atan2(before.cross(after).norm(), before.dot(after));
-    sharpest = std::max(sharpest, 2 * angle / (before.norm() + after.norm()));
-  }
-  return sharpest;
 }
 
 }  // namespace wirepack

@@ -1,7 +1,6 @@
 #include "wirepack/rod/rod_params.hpp"
 
-#include <cmath>
-#include <sstream>
+#include "wirepack/core/value_problems.hpp"
 
 namespace wirepack {
 
@@ -16,29 +15,24 @@ Stiffness stiffness(const RodParams& params) {
 
 std::vector<std::string> problems(const RodParams& params) {
   std::vector<std::string> found;
-  const auto require = [&](bool ok, const char* key, double value, const char* allowed) {
-    if (ok) return;
-    std::ostringstream text;
-    text << key << " = " << value << ": " << allowed;
-    found.push_back(text.str());
+  const auto positive = [&](std::string_view key, double value) {
+    require(is_positive(value), key, value, must_be_positive, found);
   };
-  const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
-  require(positive(params.radius), "wire.radius", params.radius, "must be positive and finite");
-  require(!positive(params.radius) || (params.radius >= 1e-30 && params.radius <= 1e30),
-          "wire.radius", params.radius, "must be between 1e-30 and 1e30");
-  require(positive(params.youngs_modulus), "wire.youngs_modulus", params.youngs_modulus,
-          "must be positive and finite");
-  require(!positive(params.youngs_modulus) ||
-              (params.youngs_modulus >= 1e-60 && params.youngs_modulus <= 1e60),
-          "wire.youngs_modulus", params.youngs_modulus, "must be between 1e-60 and 1e60");
+  const auto within = [&](std::string_view key, double value, double largest,
+                          std::string_view allowed) {
+    require(!is_positive(value) || (value >= 1 / largest && value <= largest), key, value, allowed,
+            found);
+  };
+  positive("wire.radius", params.radius);
+  within("wire.radius", params.radius, 1e30, "must be between 1e-30 and 1e30");
+  positive("wire.youngs_modulus", params.youngs_modulus);
+  within("wire.youngs_modulus", params.youngs_modulus, 1e60, "must be between 1e-60 and 1e60");
   require(params.poisson_ratio > -1 && params.poisson_ratio <= 1e6, "wire.poisson_ratio",
-          params.poisson_ratio, "must be above -1 and at most 1e6");
-  require(positive(params.stretch_multiplier), "wire.stretch_multiplier", params.stretch_multiplier,
-          "must be positive and finite");
-  require(positive(params.edge_length), "wire.edge_length", params.edge_length,
-          "must be positive and finite");
+          params.poisson_ratio, "must be above -1 and at most 1e6", found);
+  positive("wire.stretch_multiplier", params.stretch_multiplier);
+  positive("wire.edge_length", params.edge_length);
   require(params.rest_darboux.allFinite(), "wire.precurvature", params.rest_darboux.norm(),
-          "must be finite");
+          "must be finite", found);
   return found;
 }
 

@@ -162,14 +162,14 @@ RoundReport descend_one_round(LowestPoint& lowest, const HeldUnknowns& held,
         way = guard.longest;
       }
     }
-    const bool at_rest = residual <= 1 && height == heights.lowest();
+    const bool in_equilibrium = residual <= 1 && height == heights.lowest();
     const bool at_guard = guard.energy > 0 && way >= nearly_all * guard_distance;
     watch.lap(work.chart_seconds);
     preconditioner.to_gradient(by_step, by_y);
     watch.lap(work.solve_seconds);
     if (unit == 0) unit = std::max(by_y.cwiseAbs().maxCoeff() / 1e3, 1e-150);
     by_y /= unit;
-    return Evaluation{height / (unit * unit), at_rest || at_guard};
+    return Evaluation{height / (unit * unit), in_equilibrium || at_guard};
   };
   const DescentReport report =
       descend(objective, Eigen::VectorXd::Zero(chart.size()),

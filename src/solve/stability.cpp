@@ -21,7 +21,8 @@ constexpr double unstable_below = -1e-4;
 // Exactness of the model that is positive definite if and only if no eigenvalue is below that: it
 // is (H + 1e-4 P) / (1 + 1e-4).
 constexpr double exactness_of_test = 1 / (1 - unstable_below);
-// Of the shift that preconditioners have, which is larger than the curvature of slow bending modes.
+// The shift of preconditioners is larger than the curvature of slow bending modes. The test uses
+// this share of it.
 constexpr double shift_share = 1e-4;
 constexpr int lanczos_steps = 40;
 
@@ -168,8 +169,8 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
   return result;
 }
 
-bool leave_saddle(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                  const EquilibriumOptions& options, double length, EquilibriumReport& report) {
+bool escape_saddle(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
+                   const EquilibriumOptions& options, double length, EquilibriumReport& report) {
   const Stability stability = stability_of(state, held, energy, options, report.work, report.order);
   report.stable = stability.stable;
   return !stability.stable && move_down(state, held, energy, stability.direction, length);
@@ -187,7 +188,7 @@ EquilibriumReport solve_stable_equilibrium(RodState& state, const HeldUnknowns& 
       report.stable = false;  // as far as is known
       return report;
     }
-    if (!leave_saddle(state, held, energy, options, length, report)) return report;
+    if (!escape_saddle(state, held, energy, options, length, report)) return report;
     work = report.work;
   }
 }

@@ -25,7 +25,7 @@ std::vector<KnownProblem> released_helix() {
   JointEnergy joints(params);
   EnergyTerms total{stretch, joints};
   const double start = joint_energies(params, state).bend;
-  const EquilibriumReport report = find_rest(state, held, total, {1e-6, 1e-6}, 1);
+  const EquilibriumReport report = find_equilibrium(state, held, total, {1e-6, 1e-6}, 1);
   // second differences of points on a helix point to its axis
   const auto towards_axis = [&](Index k) -> Vec3 {
     return state.nodes.col(k + 1) - 2 * state.nodes.col(k) + state.nodes.col(k - 1);
@@ -38,7 +38,7 @@ std::vector<KnownProblem> released_helix() {
   const double square = curvature * curvature + torsion * torsion;
   constexpr std::string_view why = "order 2: turn of an edge squared, over 6";
   return {{"released helix: energy left of that when straight", 0, report.energy / start, 1e-9,
-           "forces at rest of 1e-6 YI / L^2"},
+           "forces left of 1e-6 YI / L^2"},
           {"released helix: radius", curvature / square, a.norm() / (2 * (1 - std::cos(turn))),
            2e-3, why},
           {"released helix: pitch, right-handed", 2 * pi * torsion / square, rise * 2 * pi / turn,
@@ -79,7 +79,7 @@ std::vector<KnownProblem> bathe_cantilever() {
   JointEnergy joints(params);
   LoadEnergy load(params, loads);
   EnergyTerms total{stretch, joints, load};
-  find_rest(state, held, total, {1e-3 * force, 1e-2 * force}, 1e7 / 12);
+  find_equilibrium(state, held, total, {1e-3 * force, 1e-2 * force}, 1e7 / 12);
   constexpr std::string_view why = "order 2: 0.02 % at 40 edges";
   return {
       {"45 degree cantilever: tip along the clamp", 47.15129, state.nodes(0, edges), 1e-3, why},

@@ -56,8 +56,9 @@ Points polygon_nodes(Index edges, double radius) {
   return nodes;
 }
 
-EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                            const RestLimits& limits, double bend_stiffness) {
+EquilibriumReport find_equilibrium(RodState& state, const HeldUnknowns& held,
+                                   const EnergyTerms& energy, const Tolerances& limits,
+                                   double bend_stiffness) {
   const EquilibriumOptions options =
       equilibrium_options(bend_stiffness, limits.moment / limits.force, limits.force);
   const EquilibriumReport report = solve_equilibrium(state, held, energy, options);

@@ -68,15 +68,15 @@ namespace {
 
 constexpr double wall_stiffness = 50;
 
-// Energy at rest of a wire in a sphere, nearly inextensible.
+// Energy in equilibrium of a wire in a sphere, nearly inextensible.
 double energy_in_ball(RodState& state, const RodParams& params, const Cavity& cavity) {
   StretchEnergy stretch(params);
   JointEnergy joints(params);
   WallEnergy wall(params, cavity, wall_stiffness);
   EnergyTerms total{stretch, joints, wall};
   const double bend = stiffness(params).bend, r = cavity.radius;
-  return find_rest(state, HeldUnknowns::none(state), total,
-                   {1e-6 * bend / (r * r), 1e-6 * bend / r}, bend)
+  return find_equilibrium(state, HeldUnknowns::none(state), total,
+                          {1e-6 * bend / (r * r), 1e-6 * bend / r}, bend)
       .energy;
 }
 

@@ -26,12 +26,13 @@ RodParams unit_rod(Index edges, double length, double stretch);
 Points straight_rod_nodes(Index edges, double length);
 Points polygon_nodes(Index edges, double radius);
 
-/// Largest force and moment left at rest.
-struct RestLimits {
+/// Largest force and moment left in equilibrium.
+struct Tolerances {
   double force, moment;
 };
-/// Moves the state to rest; throws NumericalFailure when none is found.
-EquilibriumReport find_rest(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                            const RestLimits& limits, double bend_stiffness);
+/// Moves the state to an equilibrium; throws NumericalFailure when none is found.
+EquilibriumReport find_equilibrium(RodState& state, const HeldUnknowns& held,
+                                   const EnergyTerms& energy, const Tolerances& limits,
+                                   double bend_stiffness);
 
 }  // namespace wirepack

@@ -40,7 +40,7 @@ KnownProblem torsion() {
   for (int step = 0; step < 30; ++step) {
     state.frames[last] = rotation_about(Vec3::UnitZ(), 2 * pi / 3) * state.frames[last];
     state.twist_guide.back() += 2 * pi / 3;
-    report = find_rest(state, held, EnergyTerms{joints}, {1e-6, 1e-6}, 1);
+    report = find_equilibrium(state, held, EnergyTerms{joints}, {1e-6, 1e-6}, 1);
   }
   const double twist = 2 * pi * turns;
   return {"torsion by ten turns: energy", stiffness(params).twist * twist * twist / (2 * length),
@@ -83,7 +83,7 @@ KnownProblem closing_moment() {
     JointEnergy joints(params);
     LoadEnergy load(params, loads);
     EnergyTerms total{stretch, joints, load};
-    find_rest(state, held, total, {1e-3, 1e-4}, 1);
+    find_equilibrium(state, held, total, {1e-3, 1e-4}, 1);
     moment.angle_guide = moment.angle(state);
   }
   // the last edge is half an edge short of the end; turns are exact to (turn per edge)^2 / 3
@@ -123,7 +123,7 @@ std::vector<KnownProblem> elastica_problems() {
     StretchEnergy stretch(params);
     JointEnergy joints(params);
     EnergyTerms total{stretch, joints};
-    find_rest(state, held, total, {2e-3, 1e-4}, 1);
+    find_equilibrium(state, held, total, {2e-3, 1e-4}, 1);
     Gradient gradient;
     set_zero(gradient, state);
     total.add_gradient(state, gradient);
@@ -133,7 +133,7 @@ std::vector<KnownProblem> elastica_problems() {
     const double force = -by_x[chart.unknown(edges, 2)];
     const std::string where = ", " + std::to_string(std::lround(100 * shortening)) + " % shorter";
     found.push_back({"elastica" + where + ": force / Euler load", load, force / (pi * pi), 2e-3,
-                     "order 2, and forces left at rest"});
+                     "order 2, and forces left"});
     found.push_back(
         {"elastica" + where + ": height / L", height, state.nodes.row(1).maxCoeff(), 1e-3, why});
     found.push_back({"elastica" + where + ": energy [YI / L]", energy,

@@ -128,7 +128,7 @@ class BadInput(ProgramTest):
         self.refuse_config("[cavity\nradius = 5", "run.toml:1:8")
         self.refuse_config("[cavity]\nradius = 5\nradius = 6", "run.toml:3:")
         self.refuse_config(b"\x89HDF\r\n\x1a\n\x00\x00", "is not a text file")
-        self.refuse_config(b'[packing]\nsetup = "\xff"', "utf-8")
+        self.refuse_config(b'[packing]\nsetup = "\xff"', "UTF-8")
         self.refuse_config("#" * 2_000_000, "larger than 1 MB")
         self.refuse(["run", "none.toml", "-o", "out.h5"], "none.toml: there is no such file")
         self.refuse(["run", ".", "-o", "out.h5"], "is a folder")

@@ -26,6 +26,7 @@ FELT_ELSEWHERE = ["wire", "cavity", "dynamics"]
 VARIANTS = {
     "high torsion": {"packing.setup": "high_torsion"},
     "in time": {"packing.method": "dynamic"},
+    "compact": {"minimizer.method": "compact_lbfgs"},
 }
 
 
@@ -68,10 +69,10 @@ def values(settings=None):
     return found
 
 
-def complaints(keys, value):
+def complaints(keys, value, settings=None):
     """What the program says that each key must be; nothing for those that may be the value."""
     found = {}
-    for line in dry_run(dict.fromkeys(keys, value))[1].splitlines():
+    for line in dry_run({**(settings or {}), **dict.fromkeys(keys, value)})[1].splitlines():
         message = re.search(r": (\w+\.\w+) = [^:]*: (.*)", line)
         # sizes are for every number with a unit: they are in units.md
         if message and message[1] in keys and not message[2].startswith("its size"):
@@ -80,11 +81,11 @@ def complaints(keys, value):
     return found
 
 
-def ranges(sections):
+def ranges(sections, settings=None):
     """What is allowed for each key: its type, or the limits that wrong numbers go beyond."""
     types = {}
     for section, names in sections.items():
-        types |= complaints([f"{section}.{name}" for name in names], OF_NO_TYPE)
+        types |= complaints([f"{section}.{name}" for name in names], OF_NO_TYPE, settings)
     numbers = [
         key for key, kind in types.items() if re.match("an? (finite number|number|integer)", kind)
     ]
@@ -96,7 +97,7 @@ def ranges(sections):
     limits = {key: {} for key in types}
     for batch in batches.values():
         for value in WRONG_NUMBERS:
-            for key, limit in complaints(batch, value).items():
+            for key, limit in complaints(batch, value, settings).items():
                 if not re.fullmatch("an integer( from -.*)?", limit):  # that is the type
                     limits[key][limit] = None
     return {key: "; ".join(limits[key]) or kind for key, kind in types.items()}
@@ -138,15 +139,19 @@ def tables(page):
     variants = {name: values(settings) for name, settings in VARIANTS.items()}
     known = sections()
     allowed = ranges(known)
+    allowed_in = {name: ranges(known, settings) for name, settings in VARIANTS.items()}
     result = {}
     for section, names in known.items():
         lines = [line_of(HEADER), "|" + "---|" * len(HEADER)]
         for name in names:
             key = f"{section}.{name}"
             _, meaning, unit, *_ = written.get(key, ["", "", ""])
-            lines.append(
-                line_of([f"`{name}`", meaning, unit, default(key, plain, variants), allowed[key]])
-            )
+            values_of = default(key, plain, variants)
+            limits = allowed[key]
+            for variant, found in allowed_in.items():
+                if found[key] != allowed[key] and key not in VARIANTS[variant]:
+                    limits += f"; {variant} {found[key]}"
+            lines.append(line_of([f"`{name}`", meaning, unit, values_of, limits]))
         result[section] = "\n".join(lines)
     return result
 

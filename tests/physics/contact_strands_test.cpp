@@ -138,6 +138,29 @@ TEST(StrandContact, ACrossingIsOneSpringWhereverOnTheEdgesItFalls) {
   }
 }
 
+// method.md has these numbers: where strands touch along a length, finer edges share more of it.
+TEST(StrandContact, strands_that_cross_below_60_degrees_repel_more_on_finer_meshes) {
+  const auto force = [](double degrees, double length) {
+    const double angle = degrees * pi / 180;
+    const Vec3 direction(std::cos(angle), std::sin(angle), 0);
+    const auto edges = static_cast<Index>(20 / length);
+    const Strand first{centred_strand(Vec3::Zero(), Vec3::UnitX(), length, edges)};
+    const Range range = range_over(20, [&](double offset) {
+      const Vec3 middle(offset * length, 0, touching_distance - overlap);
+      const Strand second{centred_strand(middle, direction, length, edges)};
+      return repulsion(kernel_of(length), first, second).force.z();
+    });
+    return range.mean / (crossing_stiffness * overlap);
+  };
+  EXPECT_NEAR(force(60, 0.5), 1.01, 0.01);
+  EXPECT_NEAR(force(60, 2), 1.00, 0.01);
+  EXPECT_NEAR(force(45, 0.5), 1.30, 0.03);
+  EXPECT_NEAR(force(45, 2), 1.08, 0.02);
+  EXPECT_NEAR(force(30, 0.5), 2.73, 0.05);
+  EXPECT_NEAR(force(30, 1), 1.75, 0.05);
+  EXPECT_NEAR(force(30, 2), 1.33, 0.05);
+}
+
 TEST(StrandContact, ParallelStrandsCarryStiffnessTimesOverlapForAnyMeshAndOffset) {
   for (const double length : {0.5, 1.0, 2.0}) {
     for (const double depth : {0.02, 0.1, 0.4}) {

@@ -39,7 +39,7 @@ TEST(DynamicPacking, WithoutFrictionEnergyAndForceAreThoseOfTheMinimization) {
   Scenario moving = scenario_of(Setup::low_torsion, 5, Method::dynamic, length);
   moving.friction.model = FrictionModel::none;
   Means dynamic, minimal;
-  // once the first coil has come to rest
+  // once the first coil has formed
   const auto into = [](Means& means) {
     return [&means](const HistoryRow& row) {
       if (row.inserted_length > 14) means.add(row);
@@ -47,8 +47,8 @@ TEST(DynamicPacking, WithoutFrictionEnergyAndForceAreThoseOfTheMinimization) {
   };
   DynamicPacking in_time(moving);
   run(in_time, into(dynamic));
-  QuasistaticPacking at_rest(scenario_of(Setup::low_torsion, 5, Method::quasistatic, length));
-  run(at_rest, into(minimal));
+  QuasistaticPacking minimizing(scenario_of(Setup::low_torsion, 5, Method::quasistatic, length));
+  run(minimizing, into(minimal));
   ASSERT_GT(std::min(dynamic.count, minimal.count), 20);
   EXPECT_NEAR(dynamic.bend_energy / dynamic.count / (minimal.bend_energy / minimal.count), 1, 0.01);
   // a few per cent for the energy that vibrations take
@@ -113,6 +113,23 @@ TEST(DynamicPacking, ARunGoesOnWithAnotherStepAtTheSameVelocities) {
   EXPECT_NEAR(other.energy_kinetic / same.energy_kinetic, 1, 0.05);
   EXPECT_NEAR(other.energy_total / same.energy_total, 1, 1e-3);
   EXPECT_LT(std::abs(other.audit_residual), 1e-3);
+}
+
+TEST(DynamicPacking, a_wire_a_hundred_times_as_stiff_in_torsion_as_in_bending_stays_stable) {
+  Scenario scenario = scenario_of(Setup::high_torsion, 5, Method::dynamic, 10);
+  scenario.wire.edge_length = 1;
+  scenario.wire.poisson_ratio = -0.99;
+  DynamicPacking packing(scenario);
+  EXPECT_NO_THROW(run(packing, [](const HistoryRow&) {}));
+  EXPECT_LT(std::abs(packing.progress().last.audit_residual), 5e-3);
+}
+
+TEST(DynamicPacking, strong_damping_takes_shorter_steps_and_leaves_the_force_finite) {
+  Scenario scenario = scenario_of(Setup::low_torsion, 4, Method::dynamic, 8);
+  scenario.dynamics.damping = 30;
+  DynamicPacking packing(scenario);
+  EXPECT_NO_THROW(run(packing, [](const HistoryRow&) {}));
+  EXPECT_LT(std::abs(packing.progress().last.audit_residual), 5e-3);
 }
 
 TEST(DynamicPacking, AStepBeyondStabilityIsRefusedWithAReason) {

@@ -61,6 +61,64 @@ std::vector<Coil> coils() {
   return result;
 }
 
+// Of such points the first and the last, or neighbours, lie exactly opposite each other.
+TEST(FitOfCoils,
+     of_whole_and_half_turns_about_an_axis_of_the_coordinates_are_exact_in_both_directions) {
+  for (const double turns : {0.5, 1.0, 1.5, 2.0, 3.0, 8.0}) {
+    for (const double rise : {1.0, 4.0}) {
+      for (const bool down : {false, true}) {
+        const Index count = 60;
+        Points nodes(3, count);
+        for (Index i = 0; i < count; ++i) {
+          const double turn = turns * static_cast<double>(i) / static_cast<double>(count - 1);
+          nodes.col(i) << 3 * std::cos(2 * pi * turn), 3 * std::sin(2 * pi * turn), rise * turn;
+        }
+        if (down) nodes = nodes.rowwise().reverse().eval();
+        const ShapeFit fit = fitted(measured(nodes, true), ShapeModel::helix);
+        EXPECT_NEAR(fit.numbers[pitch].value, rise, 1e-6) << turns << " turns, down " << down;
+        EXPECT_NEAR(fit.numbers[radius].value, 3, 1e-6) << turns << " turns, down " << down;
+      }
+    }
+  }
+}
+
+TEST(FitOfCoils, of_which_two_turns_are_missing_or_halves_are_swapped_are_exact) {
+  const Points whole = helix_points(181, 3, 4 / (2 * pi), 6, true, 1);
+  Points missing(3, 121), swapped(3, 181);
+  missing << whole.leftCols(61), whole.rightCols(60);
+  swapped << whole.rightCols(90).rowwise().reverse(), whole.leftCols(91);
+  for (const Points& nodes : {missing, swapped}) {
+    const ShapeFit fit = fitted(measured(nodes, false), ShapeModel::helix);
+    EXPECT_NEAR(std::abs(fit.numbers[pitch].value), 4, 1e-6);
+    EXPECT_NEAR(fit.length, 6 * 2 * pi * std::hypot(3, 4 / (2 * pi)), 1e-4);
+    EXPECT_TRUE(fit.misfit.empty()) << fit.misfit;
+  }
+}
+
+TEST(FitOfCoils, of_a_few_turns_as_a_circle_are_said_to_misfit) {
+  const ShapeFit fit =
+      fitted(measured(helix_points(120, 3, 4 / (2 * pi), 3, true, 1), false), ShapeModel::circle);
+  EXPECT_NE(fit.misfit.find("neighbouring points"), std::string::npos) << fit.misfit;
+}
+
+// Where they scatter as far as they are apart, a line through them is a zigzag.
+TEST(FitOfSplines, of_points_that_scatter_as_far_as_they_are_apart_have_the_length_of_the_wire) {
+  const Index count = 250;
+  const double length = 5 * 3.4;
+  Points arc(3, count);
+  for (Index i = 0; i < count; ++i) {
+    const double angle = 3.4 * static_cast<double>(i) / static_cast<double>(count - 1);
+    arc.col(i) << 5 * std::cos(angle), 5 * std::sin(angle), 0;
+  }
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    Random random(seed);
+    const Points nodes = arc + normal_noise(count, 0.1, random);
+    const ShapeFit fit = fitted(measured(nodes, false), ShapeModel::spline);
+    EXPECT_NEAR(fit.length / length, 1, 0.03) << seed;
+    EXPECT_NEAR(fit.numbers[curvature].value, 0.2, 0.02) << seed;
+  }
+}
+
 TEST(FitOfCoils, has_the_right_hand_and_length_for_any_pitch_and_order_or_cannot_tell) {
   Index refused = 0;
   const std::vector<Coil> all = coils();

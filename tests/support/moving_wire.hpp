@@ -9,7 +9,7 @@ namespace wirepack::testing {
 struct MovingWire {
   MovingWire(const WireForces& forces, double density, const HeldUnknowns& held, RodState rod,
              double step)
-      : motion(forces, density, held, rod), state(at_rest(std::move(rod), step)) {}
+      : motion(forces, density, held, rod), state(without_velocity(std::move(rod), step)) {}
 
   void advance(std::int64_t steps) {
     const auto set_rates = [this](const DynamicState& at, Rates& out) {

@@ -19,11 +19,11 @@ Cavity ellipsoid(const Vec3& semi_axes);
 Vec3 semi_axes_of(const Cavity& cavity);
 
 /// Smallest radius of curvature that the wall has anywhere.
-double sharpest_bend(const Cavity& cavity);
+double smallest_wall_radius(const Cavity& cavity);
 
 /// Distance between the surface of a wire of this radius and the wall at a centreline point;
-/// negative where they overlap. Of points farther from an ellipsoid's wall than that bends it is a
-/// lower bound, above zero.
+/// negative where they overlap. Of points farther from an ellipsoid's wall than that bends it is
+/// above zero, and an estimate.
 double wall_gap(const Cavity& cavity, const Vec3& point, double wire_radius);
 
 /// Unit normal of the wall at its point nearest to this one, out of the cavity.

@@ -36,7 +36,8 @@ struct LineGradient {
 
 /// Contact kernel: a pair nearer than `touching_distance` costs k W / 2 overlap^2. W is the product
 /// of its two weights, k lies between its values for parallel lines and for a right angle. Parallel
-/// strands have a stiffness per length, a crossing has one of its own. Neither depends on the mesh.
+/// strands have a stiffness per length, a crossing has one of its own. Neither depends on the mesh;
+/// crossings between 60 degrees and parallel do (method.md).
 struct LineKernel {
   double touching_distance;   ///< 2 a
   double edge_length;         ///< l

@@ -31,7 +31,7 @@ struct DynamicState {
 };
 
 /// The rod at zero velocity.
-DynamicState at_rest(RodState rod, double step);
+DynamicState without_velocity(RodState rod, double step);
 
 /// Gives every node and frame a velocity, and zeroes all higher derivatives.
 void set_velocities(DynamicState& state, const Points& velocity, const Eigen::VectorXd& spin_rate);

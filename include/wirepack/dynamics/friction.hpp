@@ -41,7 +41,6 @@ struct StickAnchor {
 struct FrictionReport {
   double power = 0;   ///< of friction on all surfaces, <= 0 but for what springs give back
   double stored = 0;  ///< energy of the springs
-  Index sliding = 0;  ///< contacts that slide
 };
 
 /// Adds friction (minus the forces and moments) to a gradient and moves the memory on by a step.

@@ -18,8 +18,10 @@ struct ContactParams {
 };
 
 /// Linear repulsion between strands. The force per length of two parallel strands is k overlap, the
-/// force of a crossing 2 a k overlap, on any mesh. The kernel of line_contact.hpp shares it out
-/// among the edges without bumps.
+/// force of a crossing at a right angle 2 a k overlap, on any mesh. The kernel of line_contact.hpp
+/// shares it out among the edges without bumps. Strands that cross at less than 60 degrees touch
+/// along a length, as parallel ones do: their force grows faster than the overlap, and with finer
+/// meshes (method.md).
 class SelfContactEnergy {
  public:
   static constexpr std::string_view name = "contact";

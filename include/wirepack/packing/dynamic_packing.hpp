@@ -23,6 +23,8 @@ class UnstableIntegration : public NumericalFailure {
   double increment_, inserted_length_, time_step_;
 };
 
+struct DynamicModel;  // its parameters as computations need them
+
 /// One packing run in time (Stoop et al. 2011): the rest length of the inlet edge grows at a
 /// constant speed, nodes and edge spins are integrated with the 6-value Gear scheme, strands and
 /// wall rub with stick-slip friction, small viscous forces take out vibrations. A row for each
@@ -46,9 +48,7 @@ class DynamicPacking {
   PackingFrame take_frame();
 
  private:
-  struct Model;
-
-  std::unique_ptr<Model> model_;
+  std::unique_ptr<DynamicModel> model_;
   PackingProgress progress_;
 };
 

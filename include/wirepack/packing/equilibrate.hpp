@@ -17,12 +17,13 @@ struct Equilibrium {
 SlipWork start_friction(PackingModel& model, const RodState& rod, const Observation& observed,
                         std::span<const SlipMemory> memory);
 
-enum class Saddles { left, kept };
+/// What is done at an equilibrium that is a saddle.
+enum class Saddles { escape, accept };
 
 /// Brings `rod`, fed from the equilibrium `before`, to a minimum. Repeats the minimization until no
 /// new contact joins: with friction, contacts that form on the way rub from where they came into
-/// touch. Where saddles are kept, the end may be one and `report.stable` tells nothing.
+/// touch. Where saddles are accepted none is looked for, and `report.stable` tells nothing.
 Equilibrium equilibrate(PackingModel& model, const RodState& before, RodState& rod,
-                        Saddles saddles = Saddles::left);
+                        Saddles saddles = Saddles::escape);
 
 }  // namespace wirepack

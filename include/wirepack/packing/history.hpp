@@ -23,9 +23,9 @@ struct HistoryRow {
   double energy_twist = 0;
   double energy_wall = 0;
   double energy_contact = 0;
-  double snap_energy = 0;  ///< released by a jump within this increment
+  double snap_energy = 0;  ///< released by a snap within this increment
   double residual = 0;     ///< largest gradient component over YI / R^2
-  double stable = 1;       ///< 1: a minimum; 0: a saddle that could not be left
+  double stable = 1;       ///< 1: a minimum; 0: a saddle without escape
   double evaluations = 0;
   double contacts = 0;
   double max_overlap = 0;

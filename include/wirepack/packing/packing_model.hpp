@@ -42,8 +42,8 @@ HeldUnknowns held_unknowns(const PackingModel& model, const RodState& rod);
 /// Brings the wire to an equilibrium: the energy plus what friction dissipates is minimized.
 EquilibriumReport minimize(PackingModel& model, RodState& rod);
 
-/// Moves a wire whose equilibrium is a saddle down from it; see leave_saddle (solve/stability.hpp).
-bool leave_saddle(PackingModel& model, RodState& rod, EquilibriumReport& report);
+/// Moves a wire whose equilibrium is a saddle down from it; see solve/stability.hpp.
+bool escape_saddle(PackingModel& model, RodState& rod, EquilibriumReport& report);
 
 /// Brings the tip nearly to equilibrium, all else held. A tip that has been pushed on may stick in
 /// the wall or in a strand, with more energy than the whole wire has. Relaxing a few nodes there

@@ -18,7 +18,8 @@ namespace wirepack {
 struct InsertionOptions {
   double increment = 0.5;      ///< wire fed between two equilibria [length]
   double perturbation = 2e-3;  ///< random displacement of the free nodes, over the wire radius,
-                               ///< before each minimization until the first coil exists
+      ///< at the start of each increment until the first coil exists; in time
+      ///< one push to the side of the whole wire
 };
 
 /// The first limit that is reached ends the run; at least one is set.

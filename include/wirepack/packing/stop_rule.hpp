@@ -27,4 +27,8 @@ std::optional<StopReason> reached_limit(const Scenario& scenario, const HistoryR
 /// The same of the last row.
 std::optional<StopReason> reached_limit(const Scenario& scenario, const PackingProgress& progress);
 
+/// `length`, or less where that would pass stop.length or stop.density behind the wire that is
+/// inside.
+double length_within_limits(const Scenario& scenario, double inserted_length, double length);
+
 }  // namespace wirepack

@@ -19,8 +19,4 @@ std::vector<std::string> warnings(const Scenario& scenario, double expected_leng
 std::vector<std::string> warnings(const Scenario& scenario, const PackingProgress& progress,
                                   double largest_overlap);
 
-/// Curvature of the sharpest bend between two edges: the angle between them over their mean length
-/// [1 / length].
-double sharpest_bend(const RodState& rod);
-
 }  // namespace wirepack

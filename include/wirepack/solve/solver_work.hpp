@@ -6,7 +6,7 @@
 
 namespace wirepack {
 
-/// What searches for rest have cost. Seconds are for reports alone: nothing is decided by them.
+/// What searches for equilibria have cost. Seconds are for reports alone: they decide nothing.
 struct SolverWork {
   std::int64_t evaluations = 0;
   std::int64_t factorizations = 0;
@@ -27,26 +27,27 @@ struct SolverWork {
 
 template <class T>
 struct WorkEntry {
-  std::string_view name;
+  std::string_view name;   // in files
+  std::string_view label;  // in summaries
   T SolverWork::*value;
 };
 
 inline constexpr std::array<WorkEntry<std::int64_t>, 4> work_counts{{
-    {"evaluations", &SolverWork::evaluations},
-    {"factorizations", &SolverWork::factorizations},
-    {"rounds_taken_back", &SolverWork::rounds_taken_back},
-    {"list_builds", &SolverWork::list_builds},
+    {"evaluations", "evaluations", &SolverWork::evaluations},
+    {"factorizations", "factorizations", &SolverWork::factorizations},
+    {"rounds_taken_back", "rounds taken back", &SolverWork::rounds_taken_back},
+    {"list_builds", "neighbor lists made", &SolverWork::list_builds},
 }};
 
 inline constexpr std::array<WorkEntry<double>, 8> work_seconds{{
-    {"energy_seconds", &SolverWork::energy_seconds},
-    {"list_seconds", &SolverWork::list_seconds},
-    {"chart_seconds", &SolverWork::chart_seconds},
-    {"solve_seconds", &SolverWork::solve_seconds},
-    {"factorization_seconds", &SolverWork::factorization_seconds},
-    {"descent_seconds", &SolverWork::descent_seconds},
-    {"passage_seconds", &SolverWork::passage_seconds},
-    {"stability_seconds", &SolverWork::stability_seconds},
+    {"energy_seconds", "energies", &SolverWork::energy_seconds},
+    {"list_seconds", "neighbor lists", &SolverWork::list_seconds},
+    {"chart_seconds", "chart", &SolverWork::chart_seconds},
+    {"solve_seconds", "triangular solves", &SolverWork::solve_seconds},
+    {"factorization_seconds", "factorizations", &SolverWork::factorization_seconds},
+    {"descent_seconds", "L-BFGS", &SolverWork::descent_seconds},
+    {"passage_seconds", "passages of strands", &SolverWork::passage_seconds},
+    {"stability_seconds", "tests for a minimum", &SolverWork::stability_seconds},
 }};
 
 inline SolverWork& SolverWork::operator+=(const SolverWork& other) {

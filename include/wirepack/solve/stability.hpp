@@ -29,8 +29,8 @@ struct Stability {
   Eigen::VectorXd direction;  ///< its eigenvector, by the unknowns of a FrameChart; empty if stable
 };
 
-/// So many saddles in a row are left; one that has several directions down is left along one after
-/// the other.
+/// The search escapes from so many saddles in a row; from one with several directions down, along
+/// one after the other.
 inline constexpr int most_saddles = 6;
 
 /// Tells a minimum from a saddle, to a hundredth of a per cent of the load: one factorization of
@@ -40,13 +40,13 @@ Stability stability_of(const RodState& state, const HeldUnknowns& held, const En
                        const EquilibriumOptions& options, SolverWork& work,
                        const std::vector<int>& order = {});
 
-/// Moves a state that has come to rest on a saddle down from it, along the direction of the lowest
+/// Moves a state that is a saddle down from it, along the direction of the lowest
 /// curvature, by at least `length` / 1000 at a node and at most by `length`. Returns whether it has
 /// moved; sets `report.stable`, and adds to its work.
-bool leave_saddle(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
-                  const EquilibriumOptions& options, double length, EquilibriumReport& report);
+bool escape_saddle(RodState& state, const HeldUnknowns& held, const EnergyTerms& energy,
+                   const EquilibriumOptions& options, double length, EquilibriumReport& report);
 
-/// Like solve_equilibrium, but leaves saddles. `report.stable` says how it ended.
+/// Like solve_equilibrium, but escapes from saddles. `report.stable` says how it ended.
 EquilibriumReport solve_stable_equilibrium(RodState& state, const HeldUnknowns& held,
                                            const EnergyTerms& energy,
                                            const EquilibriumOptions& options, double length);

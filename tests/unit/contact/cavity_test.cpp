@@ -27,7 +27,7 @@ TEST(Cavity, gap_and_normal_of_an_ellipsoid_are_those_of_the_nearest_point_of_it
     for (int k = 0; k < 200; ++k) {
       const Vec3 on_wall = axes.cwiseProduct(random_direction(random));
       const Vec3 normal = on_wall.cwiseQuotient(axes.cwiseProduct(axes)).normalized();
-      const double depth = 0.9 * sharpest_bend(cavity) * random.symmetric();
+      const double depth = 0.9 * smallest_wall_radius(cavity) * random.symmetric();
       const Vec3 point = on_wall - depth * normal;
       EXPECT_NEAR(wall_gap(cavity, point, 1), depth - 1, 1e-12) << axes.transpose() << " " << depth;
       EXPECT_LT((outward_normal(cavity, point) - normal).norm(), 1e-10) << depth;
@@ -76,7 +76,7 @@ TEST(Cavity, no_point_inside_of_an_ellipsoid_touches_that_is_farther_than_a_wire
   Random random(6);
   for (const Vec3& axes : {Vec3(10, 10, 4.6), Vec3(20, 20, 6.4), Vec3(9, 4.3, 5)}) {
     const Cavity cavity = ellipsoid(axes);
-    EXPECT_GE(sharpest_bend(cavity), 2);
+    EXPECT_GE(smallest_wall_radius(cavity), 2);
     Points wall(3, 60000);
     for (Index k = 0; k < wall.cols(); ++k)
       wall.col(k) = axes.cwiseProduct(random_direction(random));

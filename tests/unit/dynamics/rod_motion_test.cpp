@@ -20,7 +20,7 @@ constexpr double density = 1.3;
 /// A wire that moves under its own elasticity, a drag and a gravity.
 struct Wire {
   Wire(const RodState& rod, double step, const HeldUnknowns& held)
-      : state(at_rest(rod, step)), inertia(lumped_inertia(rod, params, density, held)) {
+      : state(without_velocity(rod, step)), inertia(lumped_inertia(rod, params, density, held)) {
     start();
   }
 
@@ -248,7 +248,7 @@ TEST(RodMotion, an_edge_that_collapses_or_is_not_finite_is_named) {
   Points nodes = Points::Zero(3, 8);
   nodes.row(0) = Eigen::RowVectorXd::LinSpaced(8, 0, 7);
   for (const double place : {nodes(0, 5), std::nan("")}) {
-    DynamicState state = at_rest(make_rod(nodes, params), 0.01);
+    DynamicState state = without_velocity(make_rod(nodes, params), 0.01);
     state.nodes(18, 0) = place;  // x of node 6
     try {
       follow_nodes(state);

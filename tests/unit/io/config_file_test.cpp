@@ -258,6 +258,19 @@ TEST(ConfigFile, overrides_may_have_blanks_and_words_that_were_meant_as_numbers_
   EXPECT_EQ(hint("dense").find("write"), std::string::npos);
 }
 
+TEST(ConfigFile, slips_of_toml_are_told_by_what_was_meant) {
+  const auto told = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(message_of(text).find(part), std::string::npos) << text << ": " << message_of(text);
+  };
+  told("[packing]\nsetup = low_torsion\n", "words are in quotes; write \"low_torsion\"");
+  told("[cavity]\nradius = 5 mm\n", "write 5 (a number has no unit behind it)");
+  told("[cavity]\nradius = 1mm\n", "write 1 (a number has no unit behind it)");
+  told("[cavity]\nradius = 10 # in \xb5m\n", "is not UTF-8");
+  told("[cavity]\nradius = 10\n[[stop]]\ndensity = 0.1\n", "[[stop]]: there is one of them");
+  told("[cavity]\nradius = 10\n[[wire]]\nradius = 1\n", "several wires are not possible");
+  told("[shape]\nmodel = \"helix\"\nk0 = []\n", "for wire.reference_shape");
+}
+
 TEST(ConfigFile, an_ellipsoid_has_semi_axes_in_place_of_a_radius) {
   const std::string text = "[cavity]\nshape = 'ellipsoid'\nsemi_axes = [12, 10, 9.0]\n";
   const Scenario scenario = parsed(text);

@@ -63,14 +63,12 @@ TEST(Warnings, overlap_counts_from_three_tenths_of_the_radius_in_any_unit) {
   EXPECT_EQ(warnings(scenario, progress, 0.031).size(), 1U);
 }
 
-TEST(Warnings, the_sharpest_bend_of_a_polygon_is_one_over_the_radius_of_its_circle) {
-  RodState rod;
-  rod.nodes.resize(3, 7);
-  for (Index i = 0; i < 7; ++i) {
-    const double angle = 0.05 * static_cast<double>(i);
-    rod.nodes.col(i) = 4 * Vec3(std::cos(angle), std::sin(angle), 0);
-  }
-  EXPECT_NEAR(sharpest_bend(rod), 0.25, 1e-4);
+TEST(Warnings, coefficients_without_a_model_of_friction_are_told_to_have_no_effect) {
+  Scenario scenario = fine();
+  scenario.friction.static_coefficient = 0.5;
+  expect_one(scenario, "friction.model is none");
+  scenario.friction.model = FrictionModel::coulomb;
+  EXPECT_EQ(found(scenario).size(), 0U);
 }
 
 }  // namespace
