@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "wirepack/core/error.hpp"
+#include "wirepack/core/shell_quoted.hpp"
 #include "wirepack/observe/packing_density.hpp"
 #include "wirepack/packing/dynamics_values.hpp"
 
@@ -18,7 +19,7 @@ std::string next_step(std::optional<StopReason> stop, const std::string& file) {
   return fmt::format(
       "# next: wirepack view {0} makes a page to look at, wirepack analyze {0} "
       "tables of coils and order\n",
-      file);
+      shell_quoted(file));
 }
 
 std::string what_to_try(const Scenario& scenario, StopReason reason) {

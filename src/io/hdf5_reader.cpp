@@ -1,9 +1,12 @@
 #include "wirepack/io/hdf5_reader.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <fmt/format.h>
+#include <fstream>
 #include <system_error>
 
 #include "wirepack/core/error.hpp"
@@ -44,6 +47,9 @@ Hdf5Handle open_result(const std::filesystem::path& path) {
     throw FileError(name + ": there is no such file");
   }
   if (!std::filesystem::is_regular_file(status)) throw FileError(name + ": is not a file");
+  if (!std::ifstream(path)) {
+    throw FileError(name + ": cannot be opened: " + std::strerror(errno));
+  }
   const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "preparing to read");
   // Result files are only ever replaced as a whole, so there is nothing to lock; some file systems
   // of clusters cannot lock at all.
@@ -52,7 +58,7 @@ Hdf5Handle open_result(const std::filesystem::path& path) {
   if (file < 0) {
     throw FileError(name + (H5Fis_hdf5(name.c_str()) > 0
                                 ? ": is damaged: its HDF5 structure cannot be read"
-                                : ": is not an HDF5 file, or cannot be read"));
+                                : ": is not an HDF5 file"));
   }
   return {file, H5Fclose, "opening"};
 }

@@ -37,16 +37,17 @@ void check_magnitudes(const Scenario& scenario, std::vector<std::string>& found)
 void check_reference_shape(const Scenario& scenario, std::vector<std::string>& found) {
   const ReferenceShape& shape = scenario.wire.reference_shape;
   if (shape.empty()) return;
-  double sharpest = 0;
+  double turning = 0, curvature = 0;  // largest
   for (const DarbouxRow& row : shape.table.rows()) {
-    sharpest = std::max(sharpest, row.darboux.norm());
+    turning = std::max(turning, row.darboux.norm());
+    curvature = std::max(curvature, row.darboux.head<2>().norm());
   }
   std::ostringstream text;
-  if (!(scenario.wire.edge_length * sharpest <= 1 + round_off)) {
+  if (!(scenario.wire.edge_length * turning <= 1 + round_off)) {
     text << "wire.edge_length = " << scenario.wire.edge_length << ": must be at most "
-         << 1 / sharpest << ", as wire.reference_shape turns by a radian over that";
-    if (sharpest * scenario.wire.radius > 1) {
-      text << "; it bends to a radius of " << 1 / sharpest << ", the wire's own radius is "
+         << 1 / turning << ", as wire.reference_shape turns by a radian over that";
+    if (curvature * scenario.wire.radius > 1) {
+      text << "; it bends to a radius of " << 1 / curvature << ", the wire's own radius is "
            << scenario.wire.radius << ": are both in the same unit of length?";
     }
     found.push_back(text.str());
