@@ -32,8 +32,10 @@ std::string counts(const Survey& tasks) {
 
 std::string remark(const TaskStatus& task) {
   const std::string& reason = task.remark.empty() ? task.stop_reason : task.remark;
-  return task.state == TaskState::failed ? fmt::format("exit code {}: {}", task.exit_code, reason)
-                                         : reason;
+  if (task.state != TaskState::failed) return reason;
+  // a full disk may have no room for a message either
+  return fmt::format("exit code {}: {}", task.exit_code,
+                     reason.empty() ? "its log says nothing" : reason);
 }
 
 int exit_code_of(const Survey& tasks) {
